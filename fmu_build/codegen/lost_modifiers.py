@@ -19,8 +19,8 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
-from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted
+from fmu_build.modelica_source.inheritance import Inheritance, extensions, modified_classes
+from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
 from fmu_build.modelica_source.text import inside_parentheses
 
 _KINDS = r"(?:model|block|record|type|package|class)"
@@ -56,6 +56,8 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
         for construct in text.find([pattern]):
             raise model.unsupported_at(why, construct)
     found = (
+        _repeated_modifiers,
+        _contradicted_bases,
         _nested_redeclarations,
         _modifiers_of_classes,
         values_over_members,
@@ -75,6 +77,27 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
     for extension in (*text.find([_EXTENSION]), *text.find([_SHORT_CLASS])):
         for why in _faults(text, extension.plain):
             raise model.unsupported_at(why, extension)
+
+
+def _repeated_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield clauses that give one thing two values, which is invalid (Modelica 3.6, section 7.2)."""
+    for _, modifiers, clause in modified_classes(text):
+        for path in sorted(repeated(modifiers)):
+            yield f"{'.'.join(path)} is given two values", clause
+
+
+def _contradicted_bases(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield extends-clauses by which a class inherits one base twice, with different values (section 7.1)."""
+    inheritance = Inheritance(text)
+    for name, _, plain in text.named():
+        simple = name.rpartition(".")[2]
+        if sum(1 for _ in extensions(plain)) < 2 or len(text.of(simple)) > 1:
+            continue
+        for base, path in inheritance.contradictions(simple):
+            if len(text.of(base)) == 1:
+                clauses = [rf"\bextends\s+(?:\w+\s*\.\s*)*{re.escape(one)}\b" for one, _ in extensions(plain)]
+                what = f"{simple} inherits {base} twice, with different values of {'.'.join(path)}"
+                yield from ((what, construct) for construct in text.find(clauses))
 
 
 def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:

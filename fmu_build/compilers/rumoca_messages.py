@@ -237,6 +237,46 @@ MEANINGS = (
         (r"\(?[\w\s,.\[\]]*\)\s*=\s*(?:\w+\.)*NAME\s*\(",),
     ),
     Meaning(
+        r"indices require an explicit range",
+        UnsupportedModelError,
+        "a for-loop needs a range here, as in for i in 1:n",
+        (r"\bfor\s+\w+\s+(?=loop\b)",),
+    ),
+    Meaning(
+        r"`end` is only valid inside an array subscript",
+        UnsupportedModelError,
+        "end is not supported in this subscript; write the size of the array, size(v, 1)",
+        (r"\[[^\[\]]*\bend\b[^\[\]]*\]",),
+    ),
+    Meaning(
+        r"expandable connector .* requires unsupported member augmentation",
+        UnsupportedModelError,
+        "connections give this expandable connector members that it does not declare, which is not supported "
+        "here; declare them in a connector that extends it",
+        (r"\bexpandable\s+connector\s+\w+",),
+    ),
+    Meaning(
+        r"unresolved clock schedule",
+        UnsupportedModelError,
+        "clocks are not supported; write when sample(start, period) then",
+        (r"\bClock\s*\(",),
+    ),
+    Meaning(
+        r"conflicting definitions of `(?P<name>\w+)` from `previous base`|missing structured identity",
+        UnsupportedModelError,
+        "this redeclaration of an inherited component is not supported as an element of a class; write it in "
+        "the extends-clause: extends Base(redeclare ...)",
+        (r"(?<![,(]\s)(?<![,(])\bredeclare\s+(?!model\b|package\b|function\b)[\w.]+\s+\w+",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved Flat reference `(?P<name>sum|product|min|max|abs|size|cross|transpose)`",
+        UnsupportedModelError,
+        "{name}() in the value of a constant is not supported; write the value",
+        (r"\bconstant\b[^;]*=[^;]*?\bNAME\s*\(",),
+        only_there=True,
+    ),
+    Meaning(
         r"multi-output event calls",
         UnsupportedModelError,
         "taking several results of a function is not supported in a when-clause; write a function for each",

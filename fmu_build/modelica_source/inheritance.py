@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, Component, component_clauses
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import closing
+from fmu_build.modelica_source.modifiers import Path, closing, values
 
 _REDECLARED = r"\bredeclare\s+(?:replaceable\s+)?(?:\w+\s*\.\s*)*(?P<type>\w+)\s+\w+\s*\("
 
@@ -69,6 +69,26 @@ class Inheritance:
         for component in components:
             found = {one.type for owner in found for one in self.components(owner, component)}
         return found
+
+    def contradictions(self, name: str) -> Iterator[tuple[str, Path]]:
+        """Yield bases that the classes of this name inherit twice, with what gets different values."""
+        routes: defaultdict[str, list[Mapping[Path, str]]] = defaultdict(list)
+        for base, given in self._routes(name, {}, frozenset()):
+            routes[base].append(given)
+        for base, ways in routes.items():
+            for path in sorted({path for given in ways for path in given}):
+                if len({"".join(given.get(path, "").split()) for given in ways}) > 1:
+                    yield base, path
+
+    def _routes(
+        self, name: str, outer: Mapping[Path, str], passed: frozenset[str]
+    ) -> Iterator[tuple[str, Mapping[Path, str]]]:
+        """Yield every way from a class to a base, with the values that this base is given on it."""
+        for base, modifiers in self.bases[name]:
+            if base not in passed:
+                given = {**values(modifiers), **outer}
+                yield base, given
+                yield from self._routes(base, given, passed | {base})
 
     def ancestry(self, name: str) -> set[str]:
         """Return the simple names of the classes of this name and of their bases."""

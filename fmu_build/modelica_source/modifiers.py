@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 
 Path = tuple[str, ...]
@@ -36,6 +37,12 @@ def assigned(arguments: str) -> set[Path]:
 def values(arguments: str) -> dict[Path, str]:
     """Return the values that a modifier, given as for `assigned`, gives to the paths that it sets."""
     return dict(given for argument in _split(arguments) for given in _given(argument))
+
+
+def repeated(arguments: str) -> set[Path]:
+    """Return the paths that a modifier, given as for `assigned`, gives a value more than once."""
+    paths = Counter(path for argument in _split(arguments) for path, _ in _given(argument))
+    return {path for path, times in paths.items() if times > 1}
 
 
 def _given(argument: str) -> Iterator[tuple[Path, str]]:

@@ -134,6 +134,45 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:12: the when-clause that sets d reads y, which depends on d at the same instant",
     ),
+    "a loop without a range": Case(
+        "Real a[3];",
+        "for i loop a[i] = i*time; end for;",
+        UnsupportedModelError,
+        "M.mo:4:3: a for-loop needs a range here, as in for i in 1:n",
+    ),
+    "end in a function": Case(
+        "function f input Real x[3]; output Real v[3]; algorithm for i in 1:3 loop v[end + 1 - i] := x[i]; "
+        "end for; end f; Real y[3] = f({time, 1, 2});",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:78: end is not supported in this subscript; write the size of the array, size(v, 1)",
+    ),
+    "members that connections add to a bus": Case(
+        "connector In = input Real; connector Out = output Real; expandable connector Bus end Bus; "
+        "model A Out y = time; end A; model B In u; end B; A a; B b; Bus bus;",
+        "connect(a.y, bus.s); connect(bus.s, b.u);",
+        UnsupportedModelError,
+        "M.mo:2:59: connections give this expandable connector members that it does not declare",
+    ),
+    "a clock": Case(
+        "Real u = time; Real y;",
+        "y = sample(u, Clock(0.1));",
+        UnsupportedModelError,
+        "M.mo:4:17: clocks are not supported; write when sample(start, period) then",
+    ),
+    "a redeclaration as an element": Case(
+        "package P model D parameter Real c = 1; Real y = c*time; end D; model E extends D; end E; "
+        "model H replaceable D d; end H; model X extends H; redeclare E d(c = 5); end X; end P; extends P.X;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:144: this redeclaration of an inherited component is not supported as an element of a class",
+    ),
+    "a reduction in a constant": Case(
+        "package P constant Real T[3] = {1, 2, 3}; constant Real S = sum(T); end P; Real y = P.S;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:45: sum() in the value of a constant is not supported; write the value",
+    ),
     "redeclared by a class of its own with the same members": Case(
         "model A Real z = time; end A; model B Real z = 2*time; end B; "
         "model C replaceable A a; end C; C c(redeclare B a);",
