@@ -73,6 +73,7 @@ static bool differentiate(void *context, const double *residual, double *jacobia
 static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
 {
     const NewtonSystem system = {.size = model.n_initial_unknowns,
+                                 .guessed = true,
                                  .context = initial,
                                  .unknown = unknown,
                                  .nominal = nominal,

@@ -17,6 +17,8 @@ enum {
 static const double small_step = 1e-9;
 /* The same for unknowns near zero, and their least size, both relative to the nominal value. */
 static const double absolute_step = 1e-14, least_size = 1e-3;
+/* Weight of the length of a step among its effects, where the Jacobian alone does not determine it. */
+static const double damping = 1e-8;
 /* Square of a scaled residual that is pure rounding error and cannot be reduced. */
 static const double rounding_merit = 1e-31;
 /* Along a Newton step the residual decreases unless it consists of rounding errors of cancelling terms. In that case,
@@ -75,6 +77,50 @@ static NewtonResult linearize(const Newton *newton)
     return lu_factor(n, newton->matrix, newton->pivot) ? NEWTON_SOLVED : NEWTON_SINGULAR;
 }
 
+/* Computes the damped least-squares step of Levenberg and Marquardt, which leaves alone what the Jacobian says nothing
+ * about, where the Jacobian is singular because no unknown has an effect on some equation yet, as on p*s = 6 at zero.
+ * Otherwise, rounding errors could decide between several solutions. `normal` has room for a second matrix. */
+static bool find_damped_step(const Newton *newton, double *normal)
+{
+    const size_t n = newton->system->size;
+    double *jacobian = newton->matrix, largest = 0.0;
+    bool is_idle = false;
+    if (!newton->system->linearize(newton->system->context, newton->residual, jacobian))
+        return false;
+    for (size_t i = 0; i < n; ++i) {
+        newton->point[i] = *newton->unknown[i];
+        newton->scale[i] = 0.0;
+        for (size_t j = 0; j < n; ++j) {
+            jacobian[i * n + j] *= size_of(newton, j, *newton->unknown[j]);
+            newton->scale[i] = fmax(newton->scale[i], fabs(jacobian[i * n + j]));
+        }
+        if (newton->scale[i] == 0.0) {
+            newton->scale[i] = fmax(fabs(newton->residual[i]), 1.0);
+            is_idle = true;
+        }
+    }
+    for (size_t j = 0; j < n; ++j) {
+        newton->step[j] = 0.0;
+        for (size_t k = 0; k < n; ++k)
+            normal[j * n + k] = 0.0;
+        for (size_t i = 0; i < n; ++i) {
+            const double entry = jacobian[i * n + j] / newton->scale[i] / newton->scale[i];
+            newton->step[j] += entry * newton->residual[i];
+            for (size_t k = 0; k < n; ++k)
+                normal[j * n + k] += entry * jacobian[i * n + k];
+        }
+        largest = fmax(largest, normal[j * n + j]);
+    }
+    for (size_t j = 0; j < n; ++j)
+        normal[j * n + j] += damping * largest;
+    if (!is_idle || !(largest > 0.0) || !lu_factor(n, normal, newton->pivot))
+        return false;
+    lu_solve(n, normal, newton->pivot, newton->step);
+    for (size_t j = 0; j < n; ++j)
+        newton->step[j] *= size_of(newton, j, newton->point[j]);
+    return true;
+}
+
 static bool step_is_small(const Newton *newton)
 {
     for (size_t i = 0; i < newton->system->size; ++i)
@@ -120,6 +166,22 @@ static bool search_along_step(const Newton *newton, double before)
     return false;
 }
 
+/* Moves the guesses from where the Jacobian is singular; returns whether this reduces the residual. */
+static bool leave_singular_point(const Newton *newton)
+{
+    const size_t n = newton->system->size;
+    double *normal = newton->system->guessed ? malloc(n * n * sizeof(double)) : NULL;
+    if (normal == NULL)
+        return false;
+    bool moved = find_damped_step(newton, normal) && !step_is_small(newton);
+    free(normal);
+    if (moved) {
+        const double before = merit(newton);
+        moved = before < INFINITY && search_along_step(newton, before);
+    }
+    return moved;
+}
+
 /* A solution must not change when it is solved for again: relations that depend on it then have the same bits before
  * and after an event, which would otherwise be detected again and again. */
 static bool is_solved(const Newton *newton)
@@ -148,6 +210,8 @@ static NewtonResult iterate(const Newton *newton)
         return solve_linear(newton);
     for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
         const NewtonResult linearized = linearize(newton);
+        if (linearized == NEWTON_SINGULAR && leave_singular_point(newton))
+            continue;
         if (linearized != NEWTON_SOLVED)
             return linearized;
         const double before = merit(newton);

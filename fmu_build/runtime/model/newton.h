@@ -17,6 +17,7 @@ typedef enum {
 typedef struct {
     size_t size;
     bool linear; /* the residual is linear in the unknowns: one step solves it */
+    bool guessed; /* the unknowns are only guesses: where they make the Jacobian singular, they may move away from it */
     void *context;
     double *(*unknown)(void *context, size_t i); /* the location of unknown i */
     double (*nominal)(void *context, size_t i);  /* its order of magnitude, for values near zero */

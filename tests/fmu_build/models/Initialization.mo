@@ -24,6 +24,17 @@ package Initialization "Initial equations"
     der(v) = force;
   end FoundParameter;
 
+  model FoundFromZero "A parameter that has no effect at the guesses, which are zero"
+    parameter Real p(fixed=false) "Rate of decay, from the value and the slope at the start";
+    parameter Real slope = -6;
+    Real s;
+  initial equation
+    s = 2;
+    der(s) = slope;
+  equation
+    der(s) = -p*s;
+  end FoundFromZero;
+
   model StartsFromParameters "Start values, dependent parameters and final parameters"
     parameter Real amplitude = 2;
     parameter Real phase = 0.5;

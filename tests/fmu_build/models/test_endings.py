@@ -79,6 +79,7 @@ def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
         ("NearlySingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
         ("NoSolution", "the algebraic loop of `x` could not be solved: "),
         ("ImpossibleStart", "At time 0: the initial equations of `x` could not be solved: "),
+        ("TwoStarts", "At time 0: the initial equations of `p`, `q` could not be solved: singular Jacobian"),
         ("EndlessEvents", "event iteration does not end"),
         ("OutOfBounds", "index"),
     ],

@@ -73,4 +73,14 @@ package Failing "Models that build, and whose run must end with a message"
   equation
     der(x) = x*x;
   end Pole;
+
+  model TwoStarts "Initial equations with two solutions, and guesses halfway between them"
+    parameter Real p(fixed=false), q(fixed=false);
+    Real x(start=1, fixed=true);
+  initial equation
+    p*q = 6;
+    p + q = 5;
+  equation
+    der(x) = -x;
+  end TwoStarts;
 end Failing;

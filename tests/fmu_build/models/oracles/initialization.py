@@ -42,6 +42,17 @@ def found_parameter_case(x_0: float) -> Case:
     return Case("Initialization.FoundParameter", 5.0, expected, parameters={"x_0": x_0}, label=f"x_0={x_0}")
 
 
+def found_from_zero_case(slope: float) -> Case:
+    """An exponential decay from 2 with this slope."""
+
+    def expected(t: Array) -> Values:
+        return {"p": np.full_like(t, -slope / 2), "s": 2.0 * np.exp(slope / 2 * t)}
+
+    return Case(
+        "Initialization.FoundFromZero", 1.0, expected, parameters={"slope": slope}, label=f"slope={slope}"
+    )
+
+
 def starts_case(amplitude: float, omega: float) -> Case:
     def expected(t: Array) -> Values:
         phase = omega * t + 0.5
@@ -98,6 +109,8 @@ CASES = (
     Case("Initialization.SteadyState", 4.0, steady_state, events=at(1.0)),
     found_parameter_case(2.0),
     found_parameter_case(0.5),
+    found_from_zero_case(-6.0),
+    found_from_zero_case(-0.3),
     starts_case(2.0, 3.0),
     starts_case(0.3, 5.0),
     pendulum_case(0.5),
