@@ -128,7 +128,7 @@ def _require_same_signs(name: str, series: str, peaks: pd.DataFrame, others: pd.
     if different.size:
         number = int(different[0]) + 1
         raise PeakPairingError(
-            name, series, number, "lies on the other side than the one it is compared with"
+            name, series, number, "lies on the opposite side to the peak that it is compared with"
         )
 
 

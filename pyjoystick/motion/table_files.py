@@ -135,7 +135,9 @@ def read_table_file(path: Path) -> TableFile:
     filled = _filled(lines)
     head, rows = _head(path, filled), list(filled)
     if not rows:
-        raise RecordError(str(path), "has no rows under a heading", "write a heading, then one sample a row")
+        raise RecordError(
+            str(path), "has no rows under a heading", "write a heading, then one sample per row"
+        )
     cells = tuple(cells_of_line(path, number, line, head.delimiter) for number, line in rows)
     for (number, _), row in zip(rows, cells, strict=True):
         if len(row) != len(head.headings):

@@ -163,7 +163,7 @@ def joystick_of_fmu(description: FmuDescription) -> JoystickParameters:
     try:
         return nominal.replace({name: float(description.variables[name].start or 0.0) for name in names})
     except ParameterError as error:
-        raise UnsupportedFmuError(description.path, f"is no joystick: {error}") from error
+        raise UnsupportedFmuError(description.path, f"is not a joystick: {error}") from error
 
 
 def has_friction(description: FmuDescription) -> bool:

@@ -99,7 +99,9 @@ class MountedHandle:
         """
         missing = [name for name in _NEEDED if name not in fmu.description.variables]
         if missing:
-            raise UnsupportedFmuError(fmu.description.path, f"is no MountedJoystick: no {', '.join(missing)}")
+            raise UnsupportedFmuError(
+                fmu.description.path, f"is not a MountedJoystick: no {', '.join(missing)}"
+            )
         if joystick.friction:
             raise ParameterError("friction", joystick.friction, "none: small motions would stick")
         self.held = angle("held", held)

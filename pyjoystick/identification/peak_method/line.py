@@ -96,8 +96,8 @@ def fit_power_line(height: ArrayLike, damping: ArrayLike, *, name: str) -> Power
     intercept = float(np.mean(y)) - slope * center
     if abs(intercept) > _LARGEST:
         raise DampingEstimateError(
-            f"{name}: the line is C = exp({intercept:.3g})*height**{slope:.3g}, which is no damping: "
-            "have the records a zero offset?"
+            f"{name}: the line is C = exp({intercept:.3g})*height**{slope:.3g}, which is not damping: "
+            "do the records have a zero offset?"
         )
     squares = float(np.sum((y - intercept - slope * x) ** 2))
     scatter = math.sqrt(squares / (len(x) - 2))

@@ -87,7 +87,7 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
     """
     names = [part.name for part in parts]
     if not parts or len(set(names)) < len(names):
-        raise ParameterError("parts", names, "one part or more, each with a name of its own")
+        raise ParameterError("parts", names, "one part or more, each with its own name")
     quantities = {f"{part.name}: {what}": getattr(part, what) for part in parts for what in _KINDS}
 
     def of(by_name: Mapping[str, float], name: str) -> tuple[float, float, float, float]:

@@ -175,7 +175,7 @@ def _require_no_spike(source: str, force: FloatArray, rows: NDArray[np.int64], t
     if apart[i] > limit[i]:
         raise RecordError(
             source,
-            f"force lies {apart[i]:.4g} N off both rows beside it",
+            f"force differs by {apart[i]:.4g} N from both neighboring rows",
             "is the number wrong? If the row cannot be corrected, delete it",
             column="force",
             rows=[int(rows[i])],
@@ -192,7 +192,7 @@ def _require_one_way(
         raise RecordError(
             source,
             f"travel turns back by {1e3 * float(np.max(back)):.3g} mm within {branch}",
-            "keep one cycle a file: the first loading, and the unloading that follows it",
+            "keep one cycle per file: the first loading, and the unloading that follows it",
             column="travel",
             rows=[int(rows[wrong[0]])],
             value=f"{1e3 * abs(float(travel[wrong[0]])):.6g} mm",

@@ -72,7 +72,7 @@ def require_no_saturation(curve: LoadCurve) -> None:
         i = int(np.flatnonzero(flat)[0])
         raise RecordError(
             curve.source,
-            f"the force is flat at its largest value from {1e3 * loading.travel[firsts[i]]:.4g} mm on: the "
+            f"the force stays at its largest value from {1e3 * loading.travel[firsts[i]]:.4g} mm on: the "
             "load cell or its amplifier is at the end of its range",
             "record with more range, or end the record before that",
             column="force",

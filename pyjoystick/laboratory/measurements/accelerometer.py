@@ -110,7 +110,9 @@ def read_accelerometer(
         raise RecordError(str(path), "never changes", advice, column=file.column, value=f"{largest:g}")
     if not kept:
         reason = f"has no samples from {window[0]:g} to {window[1]:g} s, where the angle is known"
-        raise RecordError(str(path), reason, "are both clocks zero at one instant? If not, give the delay")
+        raise RecordError(
+            str(path), reason, "do both clocks start at the same instant? If not, give the delay"
+        )
     time, acceleration, rows = (np.concatenate(series) for series in zip(*kept, strict=True))
     return AccelerometerRecord(
         source=str(path),
@@ -148,8 +150,8 @@ def _even_rate(source: str, time: FloatArray, rows: NDArray[np.int64]) -> float:
     if uneven.size:
         raise RecordError(
             source,
-            f"the step in time is not the usual {usual:.6g} s",
-            "an accelerometer's samples are even: were some lost, or are the times rounded?",
+            f"the time step differs from the usual {usual:.6g} s",
+            "an accelerometer samples at equal intervals: were samples lost, or are the times rounded?",
             column="time",
             rows=[rows[uneven[0] + 1]],
             value=f"{steps[uneven[0]]:.6g} s",

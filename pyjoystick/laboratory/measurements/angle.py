@@ -215,7 +215,7 @@ def _two(markers: Markers, base: Sequence[str]) -> tuple[FloatArray, FloatArray]
         raise RecordError(markers.source, reason, "name two different ones")
     for name in base:
         if markers.missing(name).all():
-            raise RecordError(markers.source, "is never in sight", "choose another marker", column=name)
+            raise RecordError(markers.source, "is never visible", "choose another marker", column=name)
     first, second = (markers.of(name) for name in base)
     return first, second
 

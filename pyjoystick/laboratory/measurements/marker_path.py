@@ -67,8 +67,8 @@ def motion_plane(
     elif singular[1] < _BEND * singular[2]:
         raise RecordError(
             source,
-            f"the plane of motion is uncertain: within it the path bends by {_rms(singular[1], path):.2g} mm "
-            f"rms, out of it it goes {_rms(singular[2], path):.2g} mm rms",
+            f"the plane of motion is uncertain: the path is curved by {_rms(singular[1], path):.2g} mm "
+            f"rms within it, and leaves it by {_rms(singular[2], path):.2g} mm rms",
             "use a record of larger motion about one axis, with the marker on top named as the top, or say "
             "which axis of the laboratory lies in the plane: up",
         )

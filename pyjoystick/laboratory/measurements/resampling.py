@@ -70,7 +70,7 @@ def resample(time: FloatArray, values: FloatArray, rate: float, *, longest_gap: 
         raise SeriesError("values", f"has {len(found)} samples, at least {FEWEST} are needed")
     if (found[-1] - found[0]) / interval > _MOST:
         span = f"from {found[0]:g} to {found[-1]:g} s"
-        raise SeriesError("time", f"goes {span}, which are more than {_MOST} samples at {rate:g} Hz")
+        raise SeriesError("time", f"extends {span}, more than {_MOST} samples at {rate:g} Hz")
     usual = float(np.median(np.diff(time)))
     steps = np.diff(found)
     # Intervals equal to the limit up to rounding of the times are bridged.

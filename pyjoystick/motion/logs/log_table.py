@@ -174,7 +174,7 @@ def read_log_table(
     if form:
         found, words = find_in_rows(path, *load(path, form, layout.sheet), layout), form
         if found is None:
-            advice = "write one line of headings, with units, and one sample a row below it"
+            advice = "write one line of headings, with units, and one sample per row below it"
             raise RecordError(str(path), "holds no headings with two columns of numbers below", advice)
     else:
         text, encoding = decoded(path, data, layout.encoding)

@@ -130,7 +130,7 @@ def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatAr
     """Reject a record (s) that is too short for a motion, such as seconds labelled as ms."""
     if "time" in found and len(time) > 1 and 0.0 < np.ptp(time) < _SHORTEST:
         match = found["time"]
-        reason = f"a record of {np.ptp(time):.3g} s: are these s or ms under the name of {match.unit}?"
+        reason = f"a record of {np.ptp(time):.3g} s: are these s or ms labeled as {match.unit}?"
         advice = f"say what it is: --unit time=s or --unit time={match.unit}"
         raise RecordError(str(table.file.head.path), reason, advice, column=match.heading.text)
 

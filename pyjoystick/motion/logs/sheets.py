@@ -55,7 +55,7 @@ def _names_in_archive(path: Path) -> list[str]:
 
 
 def _refuse_zip(path: Path) -> str:
-    raise RecordError(str(path), "is an archive, but no workbook", "unpack it, and give the table in it")
+    raise RecordError(str(path), "is an archive but not a workbook", "unpack it and give the table inside")
 
 
 def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
@@ -98,7 +98,7 @@ def _chosen(path: Path, tables: Mapping[str, pd.DataFrame], sheet: str) -> str:
     if len(filled) == 1:
         return filled[0]
     if not filled:
-        raise RecordError(str(path), "holds no table", "write headings, then one sample a row")
+        raise RecordError(str(path), "holds no table", "write headings, then one sample per row")
     advice = f"say which: {' or '.join(f'--sheet {name!r}' for name in filled)}"
     raise RecordError(str(path), f"has {len(filled)} sheets with content", advice)
 
@@ -154,7 +154,7 @@ def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
     lengths = {name: {len(column) for column in part.values()} for name, part in parts.items()}
     if any(len(found) > 1 for found in lengths.values()):
         sizes = ", ".join(f"{name} {len(column)}" for name, column in columns.items())
-        raise ValueError(f"its vectors have different lengths ({sizes}); save those of one record alone")
+        raise ValueError(f"its vectors have different lengths ({sizes}); save the vectors of one record only")
     return {name: _headed(part) for name, part in parts.items() if part}
 
 

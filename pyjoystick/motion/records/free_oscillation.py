@@ -136,8 +136,8 @@ def _require_decay(record: Record, swings: Sequence[Swing]) -> None:
     if abs(last.value) > DECAYED * abs(swings[0].value):
         raise RecordError(
             record.source,
-            f"the motion does not die away from {math.degrees(swings[0].value):+.2f} degrees "
-            f"(row {record.rows[swings[0].extreme]}): this is no free oscillation",
+            f"the motion does not decay from {math.degrees(swings[0].value):+.2f} degrees "
+            f"(row {record.rows[swings[0].extreme]}): this is not a free oscillation",
             "use a record of a release; for driven motion read it without this check",
             column="theta",
             rows=[record.rows[last.extreme]],
@@ -151,8 +151,8 @@ def _require_side(record: Record, release: Swing, released: Side | None) -> None
         raise RecordError(
             record.source,
             f"the joystick is released {found} instead of {released}: wrong sign?",
-            "the angle is positive forward: turn its sign, for markers by the other --forward, or correct "
-            "the side of release",
+            "the angle is positive forward: reverse its sign (for markers, with the opposite --forward) or "
+            "correct the side of release",
             column="theta",
             rows=[record.rows[release.extreme]],
             value=f"{math.degrees(release.value):+.2f} degrees",

@@ -104,7 +104,7 @@ def read_repeats(
             (perhaps one has the wrong sign)
     """
     if isinstance(paths, str | PathLike):
-        raise RecordError(str(paths), "is one path", "give a list of files, one a repeat")
+        raise RecordError(str(paths), "is a single path", "give a list of files, one for each repeat")
     records: list[Record] = []
     for path in paths:
         record = read_record(path, columns=columns, units=units, released=released, counted=counted)
@@ -114,7 +114,7 @@ def read_repeats(
                 _require_same_side(record, other)
         records.append(record)
     if not records:
-        raise RecordError("records", "no file is given", "give one file a repeat")
+        raise RecordError("records", "no file is given", "give one file for each repeat")
     return tuple(records)
 
 
@@ -130,7 +130,7 @@ def _require_same_side(record: Record, other: Record) -> None:
     if release.sign != before.sign:
         raise RecordError(
             record.source,
-            f"is released from the other side than {other.source}: wrong sign?",
+            f"is released from the opposite side to {other.source}: wrong sign?",
             "give angles that are positive forward; if both are meant, pyjoystick fit takes --both-sides",
             column="theta",
             rows=[record.rows[release.extreme]],
@@ -150,5 +150,5 @@ def _small_degrees(theta: FloatArray) -> tuple[str, ...]:
     """
     largest = math.degrees(float(np.max(np.abs(theta))))
     if largest < math.pi / 2.0:
-        return (f"the largest angle is {largest:.3g} degrees: are these radians under the name of degrees?",)
+        return (f"the largest angle is {largest:.3g} degrees: are these radians labeled as degrees?",)
     return ()

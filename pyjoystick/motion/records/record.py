@@ -40,9 +40,9 @@ def require_sampling(source: str, time: FloatArray, rows: Sequence[int] | NDArra
     if not shortest <= interval < longest:
         raise RecordError(
             source,
-            "the usual time between two samples is not one of a measured motion",
-            f"it must be from {shortest:g} s to less than {longest:g} s: are these ms or us under the name "
-            "of s? The heading says the unit, as in 'time (ms)', or `pyjoystick import record` with "
+            "the usual time between two samples is implausible for a measured motion",
+            f"it must be from {shortest:g} s to less than {longest:g} s: are these ms or us labeled as s? "
+            "Put the unit in the heading, as in 'time (ms)', or use `pyjoystick import record` with "
             "--unit time=ms",
             column="time",
             rows=rows[:2],
@@ -87,7 +87,7 @@ class Record:
         object.__setattr__(self, "rows", rows)
         if len(time) < FEWEST_SAMPLES or len(rows) != len(time):
             reason = f"has {len(time)} samples in {len(rows)} rows; at least {FEWEST_SAMPLES} are needed"
-            raise RecordError(self.source, reason, "record the whole motion, one sample a row")
+            raise RecordError(self.source, reason, "record the whole motion, one sample per row")
         for name in ("time", "theta", "omega"):
             if getattr(self, name) is not None:
                 series = self._checked(name, getattr(self, name))
@@ -130,14 +130,14 @@ class Record:
             ) from None
         if series.ndim != 1:
             reason = f"has the shape {series.shape}, must have one dimension"
-            raise RecordError(self.source, reason, "give one number a sample", column=name)
+            raise RecordError(self.source, reason, "give one number per sample", column=name)
         series.setflags(write=False)
         return series
 
     def _require_samples(self, name: str, series: FloatArray) -> None:
         if len(series) != len(self.rows):
             reason = f"has {len(series)} samples, time has {len(self.rows)}"
-            raise RecordError(self.source, reason, "give one number a sample", column=name)
+            raise RecordError(self.source, reason, "give one number per sample", column=name)
         bad = np.flatnonzero(~np.isfinite(series))
         if bad.size:
             raise RecordError(
@@ -156,8 +156,8 @@ class Record:
             raise RecordError(
                 self.source,
                 "times are repeated",
-                "it is unknown which sample of an instant is right: if the times are rounded, "
-                "export them with more digits, else delete the rows that are too many",
+                "it is unknown which of the samples is right: if the times are rounded, "
+                "export them with more digits; otherwise delete the duplicate rows",
                 column="time",
                 rows=self.rows[repeated + 1],
                 value=self.time[repeated[0] + 1],
@@ -207,4 +207,4 @@ def _advice_beyond(theta: FloatArray) -> str:
             "is this in degrees (name the column theta (deg)), does it wrap around at a full turn, or is "
             "zero not the middle position?"
         )
-    return "are these degrees under the name of radians? Name the column theta (deg)"
+    return "are these degrees labeled as radians? Name the column theta (deg)"

@@ -123,7 +123,7 @@ def experiments_for(
         return [_motion(value, time, parameters) for value in checked or RELEASE_ANGLES]
     if checked is not None:
         raise ParameterError(
-            "release_angle", f"{checked[0]:.6g} rad", "left out for FMUs that are no joystick"
+            "release_angle", f"{checked[0]:.6g} rad", "left out for FMUs that are not joysticks"
         )
     time = _default_instants(first.experiment, second.experiment, duration, output_interval)
     label = f"{time[0]:g} to {time[-1]:g} s" + ("" if inputs is None else ", driven")

@@ -153,7 +153,7 @@ def _require_part(part: Part, runs: int, columns: int) -> None:
         and len(part.messages) == np.count_nonzero(part.failed)
     )
     if not sound:
-        raise ValueError("no part of this sweep")
+        raise ValueError("is not a part of this sweep")
 
 
 def require_same(target: Path, kept: Mapping[str, Any], identity: Mapping[str, Any]) -> None:

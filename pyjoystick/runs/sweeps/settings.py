@@ -182,7 +182,7 @@ def _varied(table: Table, fmu: FmuDescription, constants: Mapping[str, Value]) -
             raise SettingsError(table.path, table.name, name, None, "is in [parameters] too; must be in one")
         varied[name] = read_variation(inner, name, fmu)
     if not varied:
-        raise table.error("", 'must have one table a parameter, such as [vary."damping.C"]')
+        raise table.error("", 'must have one table per parameter, such as [vary."damping.C"]')
     return varied
 
 

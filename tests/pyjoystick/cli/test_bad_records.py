@@ -58,7 +58,7 @@ REFUSED: dict[str, tuple[Callable[[Table], Table], str, str]] = {
     "unsorted times": (_unsorted, "row 33", "time runs backward"),
     "too few peaks": (_few_peaks, "rows ", "too few peaks after the release, 4 are needed (found 3)"),
     "held": (_held, "rows 2, 106", "there is no free oscillation in it"),
-    "driven": (_driven, "row ", "does not die away"),
+    "driven": (_driven, "row ", "does not decay"),
     "two releases": (_twice, "row ", "a second release"),
 }
 
@@ -99,7 +99,7 @@ def test_the_wrong_sign(command: Command, tmp_path: Path) -> None:
     for name in ("fit", "peaks"):
         message = command(name, str(good), str(bad)).message
         assert "bad.csv, column 'theta', row" in message
-        assert "is released from the other side than" in message
+        assert "is released from the opposite side to" in message
 
 
 def test_a_gap_in_which_a_peak_may_hide(command: Command, tmp_path: Path) -> None:

@@ -163,7 +163,7 @@ def test_wrong_usage(command: Command, arguments: tuple[str, ...], message: str)
         (("--limit", "v=2"), "there is no variable 'v'"),
         (("--variable", "z"), "there is no variable 'z'"),
         (("--relative-limit", "0"), "relative_limit = 0.0: must be a finite number above 0"),
-        (("-a", "3deg"), "release_angle = 0.0523599 rad: must be left out for FMUs that are no joystick"),
+        (("-a", "3deg"), "release_angle = 0.0523599 rad: must be left out for FMUs that are not joysticks"),
         (("-d", "-1"), "duration = -1.0: must be a finite number above 0 s"),
         (("--inputs", "nowhere.csv"), "nowhere.csv: cannot be read"),
         (("--inputs", "text.csv"), "text.csv, column 'u', row 3: is not a number"),

@@ -30,14 +30,12 @@ def _samples(scale: float, unit: str = "s") -> str:
 @pytest.mark.parametrize(("scale", "found"), [(1e3, "16.6667 s"), (1e6, "16666.7 s")])
 def test_times_in_ms_or_us_under_s(scale: float, found: str, tmp_path: Path) -> None:
     path = write(tmp_path / "record.csv", _samples(scale))
-    with pytest.raises(
-        RecordError, match=rf"'time', rows 2-3: .*found {found}\).* ms or us under the name of s"
-    ):
+    with pytest.raises(RecordError, match=rf"'time', rows 2-3: .*found {found}\).* ms or us labeled as s"):
         read_record(path)
-    with pytest.raises(RecordError, match="ms or us under the name of s"):
+    with pytest.raises(RecordError, match="ms or us labeled as s"):
         read_markers(write(tmp_path / "markers.csv", plain_text(scale * TIME, POINTS)))
     rows = "".join(f"{scale * t},{i % 7}\n" for i, t in enumerate(TIME))
-    with pytest.raises(RecordError, match="ms or us under the name of s"):
+    with pytest.raises(RecordError, match="ms or us labeled as s"):
         read_accelerometer(write(tmp_path / "a.csv", f"time (s),acceleration (m/s2)\n{rows}"))
 
 
@@ -91,7 +89,7 @@ def test_numbers_that_no_measurement_has(number: str, tmp_path: Path) -> None:
 
 def test_one_wrong_time_does_not_fill_the_memory() -> None:
     time = np.append(TIME, 1e12)
-    with pytest.raises(SeriesError, match=r"goes from 0 to 1e\+12 s, which are more than 10000000 samples"):
+    with pytest.raises(SeriesError, match=r"extends from 0 to 1e\+12 s, more than 10000000 samples"):
         resample(time, np.cos(time), 600.0, longest_gap=0.05)
 
 

@@ -43,7 +43,7 @@ def test_the_paper_counts_nine_and_ten() -> None:
 
 def test_peaks_of_other_signs_are_not_paired() -> None:
     simulated = _release([0.21, 0.47, 0.70], [0.21, -0.08, -0.05], 0.0, "simulated")
-    with pytest.raises(PeakPairingError, match="simulated: displacement peak 3 lies on the other side"):
+    with pytest.raises(PeakPairingError, match="simulated: displacement peak 3 lies on the opposite side"):
         peak_errors(simulated, MEASURED, displacement_peaks=3, velocity_peaks=2)
 
 

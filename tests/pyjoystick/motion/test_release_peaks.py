@@ -62,7 +62,7 @@ def test_a_trial_from_the_other_side_is_named() -> None:
     trial = linear_release(J, 0.045, 30.0)
     mirrored = peak_table(trial.displacement["time"], -trial.displacement["value"])
     other = dataclasses.replace(trial, name="other", displacement=mirrored)
-    with pytest.raises(PeakPairingError, match="other: displacement peak 1 lies on the other side"):
+    with pytest.raises(PeakPairingError, match="other: displacement peak 1 lies on the opposite side"):
         average_peaks([trial, other])
 
 

@@ -151,7 +151,9 @@ def test_one_wrong_force_is_named(tmp_path: Path, place: int, factor: float) -> 
     """One such cell once made the fit take half a minute and end anywhere."""
     travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
     force[place] *= factor
-    with pytest.raises(RecordError, match=rf"'force', row {place + 3}: force lies \S+ N off both rows"):
+    with pytest.raises(
+        RecordError, match=rf"'force', row {place + 3}: force differs by \S+ N from both neighboring rows"
+    ):
         read_load_curve(write(tmp_path / "curve.csv", travel, force))
 
 

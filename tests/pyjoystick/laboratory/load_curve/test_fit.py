@@ -218,7 +218,7 @@ def test_a_load_cell_at_the_end_of_its_range_is_refused_with_its_rows(resolution
         force = resolution * np.round(force / resolution)
         fit_load_curve(LoadCurve.from_cycle(travel, force))  # coarse forces alone are none
     limit = float(np.floor(0.8 * np.max(force)))
-    with pytest.raises(RecordError, match=r"the force is flat at its largest value from .* mm on") as caught:
+    with pytest.raises(RecordError, match=r"the force stays at its largest value from .* mm on") as caught:
         fit_load_curve(LoadCurve.from_cycle(travel, np.minimum(force, limit)))
     rows = list(caught.value.rows)
     assert len(rows) > 100

@@ -249,7 +249,7 @@ GOOD = _csv(SERIES[:40])
         (GOOD.replace("\n0", "\n0,0"), r"row 3: has more cells than headings; are the decimal marks commas"),
         (GOOD.replace(",", ";").replace(".", ","), r"row 4: is not a number.*decimal point"),
         (_changed(GOOD, 9, "0.0001,0.5"), r"column 'time', row 9: the time does not increase"),
-        (_changed(GOOD, 42, "0.5,0.5"), r"column 'time', row 42: the step in time is not the usual"),
+        (_changed(GOOD, 42, "0.5,0.5"), r"column 'time', row 42: the time step differs from the usual"),
         (
             GOOD.replace("time (s)", "time"),
             r"'time', row 2: has no unit; write .* as in 'time \(s\)'",

@@ -187,7 +187,7 @@ def test_what_cannot_be_measured_is_refused() -> None:
         measure_angle(fixed, top=TOP, base=BASE, forward="x")
     lost = markers.positions.copy()
     lost[:, 2] = np.nan
-    with pytest.raises(RecordError, match="'BASE2': is never in sight"):
+    with pytest.raises(RecordError, match="'BASE2': is never visible"):
         _measured(dataclasses.replace(markers, positions=lost))
     lost = markers.positions.copy()
     lost[5:, 0] = np.nan

@@ -80,5 +80,5 @@ def test_an_uncertain_plane_is_told_with_the_root_mean_squares_in_and_out_of_it(
     along = np.linspace(-0.1, 0.1, 100)
     signs = np.tile([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]], (25, 1))
     path = np.column_stack((along, signs * [1e-4, 0.8e-4]))
-    with pytest.raises(RecordError, match=r"bends by 0\.1 mm rms, out of it it goes 0\.08 mm rms"):
+    with pytest.raises(RecordError, match=r"curved by 0\.1 mm rms within it, and leaves it by 0\.08 mm rms"):
         motion_plane(path, path[0], np.array([1.0, 0.0, 0.0]), "path")

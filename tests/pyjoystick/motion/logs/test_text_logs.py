@@ -264,17 +264,17 @@ REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
         "column 'time': has no unit; its steps of 4 can be ms or us; say which: --unit time=ms or --unit ",
         {"units": {"time": "ms"}},
     ),
-    "ms under the name of s": (
+    "ms labeled as s": (
         text(("time (s)", "angle (deg)"), 1e3 * TIME, ANGLE),
-        "ms or us under the name of s.*--unit time=ms",
+        "ms or us labeled as s.*--unit time=ms",
         {"units": {"time": "ms"}},
     ),
-    "1 ms under the name of s": (
+    "1 ms labeled as s": (
         text(("time (s)", "angle (deg)"), 250.0 * TIME, ANGLE),
-        "ms or us under the name of s.*--unit time=ms",
+        "ms or us labeled as s.*--unit time=ms",
         {"units": {"time": "ms"}, "stretched": 4.0},
     ),
-    "s under the name of ms": (
+    "s labeled as ms": (
         text(("time (ms)", "angle (deg)"), TIME, ANGLE),
         "a record of 0.000476 s: .*--unit time=s",
         {"units": {"time": "s"}},
@@ -370,7 +370,7 @@ def test_a_log_of_two_meanings_is_refused_and_read_with_the_option(name: str, tm
         (_with_inserted(_german(), 40, "0,158;7,5"), "row 41: has 2 cells under 3 headings"),
         (_with_inserted(_german(), 40, "0,158;7;5;1"), "row 41: has 4 cells under 3 headings"),
         (text(("time (s)", "angle (kg)"), TIME, ANGLE), "column 'angle .kg.', row 1: has an unknown unit"),
-        (text(("time (s)", "angle (rad)"), TIME, ANGLE), "degrees under the name of radians"),
+        (text(("time (s)", "angle (rad)"), TIME, ANGLE), "degrees labeled as radians"),
         (
             text(("time (s)", "angle (deg)"), TIME, np.where(np.arange(COUNT) % 40 == 9, -999.0, ANGLE)),
             "all are the same, -999 degrees: does the instrument write this where it has no angle",
@@ -500,7 +500,7 @@ def test_degrees_under_the_name_of_radians_are_told_in_a_turn_too(tmp_path: Path
     with pytest.raises(RecordError, match=question):
         read_log(small)
     radians = written(tmp_path / "radians.csv", text(("time (s)", "theta (rad)"), TIME, ANGLE))
-    with pytest.raises(RecordError, match="degrees under the name of radians"):
+    with pytest.raises(RecordError, match="degrees labeled as radians"):
         read_log(radians)
 
 

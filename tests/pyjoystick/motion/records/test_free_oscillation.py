@@ -87,7 +87,7 @@ def test_a_second_release_is_refused_with_its_row(tmp_path: Path) -> None:
 def test_driven_motion_is_refused() -> None:
     theta = -20.0 * np.cos(2.0 * math.pi * 2.0 * motion()[0])
     error = _refusal(_record(theta))
-    assert "does not die away" in error.reason
+    assert "does not decay" in error.reason
 
 
 def test_the_wrong_side_of_release_is_refused_where_it_is_known() -> None:

@@ -142,9 +142,7 @@ def test_degrees_under_the_name_of_radians_are_refused(tmp_path: Path) -> None:
 def test_radians_under_the_name_of_degrees_are_flagged(tmp_path: Path) -> None:
     time, theta, _ = motion()
     record = read_record(write(tmp_path / "radians.csv", rows(time, np.radians(theta))))
-    assert record.notes == (
-        "the largest angle is 0.349 degrees: are these radians under the name of degrees?",
-    )
+    assert record.notes == ("the largest angle is 0.349 degrees: are these radians labeled as degrees?",)
 
 
 def test_a_motion_of_another_kind_is_read_without_the_check(tmp_path: Path) -> None:
@@ -162,7 +160,7 @@ def test_repeats_are_read_together(tmp_path: Path) -> None:
 
 
 def test_one_path_is_no_list_of_paths() -> None:
-    with pytest.raises(RecordError, match=r"run.csv: is one path; give a list of files"):
+    with pytest.raises(RecordError, match=r"run.csv: is a single path; give a list of files"):
         read_repeats("run.csv")
 
 

@@ -123,7 +123,7 @@ def test_settings_take_the_types_of_the_variables(first: FmuDescription) -> None
     [
         (
             {"release_angles": [0.1]},
-            "release_angle = 0.1 rad: must be left out for FMUs that are no joystick",
+            "release_angle = 0.1 rad: must be left out for FMUs that are not joysticks",
         ),
         ({"duration": 0.0}, "duration = 0.0: must be a finite number above 0 s"),
         ({"output_interval": 0.0}, "output_interval = 0.0: must be a finite number above 0 s"),
