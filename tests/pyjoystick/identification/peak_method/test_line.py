@@ -49,7 +49,7 @@ def test_the_band_covers_the_true_line_as_often_as_it_says() -> None:
         ([0.1, 0.2], [0.04, 0.05], "2 points"),
         ([0.1, 0.2, 0.3], [0.04, 0.0, 0.05], "above zero"),
         ([0.1, 0.1, 0.1], [0.04, 0.04, 0.05], "same height"),
-        ([0.1, 0.1001, 0.1002], [0.01, 0.05, 0.09], "which is not damping: do the records have a zero offset"),
+        ([0.1, 0.1001, 0.1002], [0.01, 0.05, 0.09], "not damping: do the records have a zero offset"),
     ],
 )
 def test_points_without_a_line_are_refused(height: list[float], damping: list[float], reason: str) -> None:
