@@ -87,17 +87,16 @@ def _repeated_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
 
 
 def _contradicted_bases(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield extends-clauses by which a class inherits one base twice, with different values (section 7.1)."""
+    """Yield classes that inherit one base twice, with different values (Modelica 3.6, section 7.1)."""
     inheritance = Inheritance(text)
     for name, _, plain in text.named():
         simple = name.rpartition(".")[2]
-        if sum(1 for _ in extensions(plain)) < 2 or len(text.of(simple)) > 1:
+        if len(list(extensions(plain))) < 2 or len(text.of(simple)) > 1:
             continue
         for base, path in inheritance.contradictions(simple):
             if len(text.of(base)) == 1:
-                clauses = [rf"\bextends\s+(?:\w+\s*\.\s*)*{re.escape(one)}\b" for one, _ in extensions(plain)]
                 what = f"{simple} inherits {base} twice, with different values of {'.'.join(path)}"
-                yield from ((what, construct) for construct in text.find(clauses))
+                yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
 
 
 def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:

@@ -130,8 +130,8 @@ def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
 
 def _nested_arrays(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield (
-        "the elements of an array of components take arrays from a literal of braces only; write "
-        "(x = {{1, 2}, {3, 4}})",
+        "an array parameter cannot give each element of an array of components an array of its own; "
+        "write the values out, as in (x = {{1, 2}, {3, 4}})",
         None,
     )
 

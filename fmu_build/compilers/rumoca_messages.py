@@ -318,7 +318,7 @@ MEANINGS = (
         only_there=True,
     ),
     Meaning(
-        r"expression shape mismatch|one subscript per array dimension",
+        r"expression shape mismatch",
         UnsupportedModelError,
         "the elements of an array of components take arrays from a literal of braces only; write "
         "(x = {{{{1, 2}}, {{3, 4}}}})",

@@ -104,7 +104,7 @@ def known_values(
             raise ParameterError(
                 "known",
                 name,
-                f"one that {file.path} gives with an uncertainty: {', '.join(stated) or 'none'}",
+                f"one that {file.path} gives with an uncertainty: {', '.join(measured) or 'none'}",
             )
         found.update({one.name: one for one in matching})
     values = {name: one.value for name, one in found.items()}

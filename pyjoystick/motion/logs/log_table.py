@@ -178,12 +178,12 @@ def read_log_table(
             raise RecordError(str(path), "holds no headings with two columns of numbers below", advice)
     else:
         text, encoding = decoded(path, data, layout.encoding)
-        guessed = " as it seems" * (not layout.encoding and not encoding.startswith("utf"))
+        guessed = "probably " * (not layout.encoding and not encoding.startswith("utf"))
         found, comments = find_in_text(path, text, layout)
         if found is None:
             return LogTable(read_table_file(path), "text")  # says what is wrong with it
         mark = "comma" if found.decimal == "," else "point"
-        words = f"text, {encoding}{guessed}, separated by {delimiter_name(found.delimiter)}, decimal {mark}"
+        words = f"text, {guessed}{encoding}, separated by {delimiter_name(found.delimiter)}, decimal {mark}"
     if not found.names and not numbered:
         raise RecordError(
             str(path),

@@ -90,14 +90,10 @@ def _best(data: bytes, encodings: list[str]) -> str:
 
 def _known_words(data: bytes, encoding: str) -> int:
     """How many words beyond ASCII in the first lines are the name of a quantity in this encoding."""
-    try:
-        lines = data[:_ENOUGH].decode(encoding, errors="ignore").splitlines()[:_FIRST_LINES]
-    except LookupError:
-        return 0
+    lines = data[:_ENOUGH].decode(encoding, errors="ignore").splitlines()[:_FIRST_LINES]
     cells = (cell.strip(" \"'") for line in lines for cell in _SEPARATOR.split(line) if not cell.isascii())
-    return sum(
-        meaning(understood(cell).name) is not None for cell in cells if not understood(cell).name.isascii()
-    )
+    names = (understood(cell).name for cell in cells)
+    return sum(not name.isascii() and meaning(name) is not None for name in names)
 
 
 def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | None, tuple[str, ...]]:

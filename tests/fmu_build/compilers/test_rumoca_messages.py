@@ -95,7 +95,7 @@ _CASES = {
         "parameter Real G[2, 2] = [1, 2; 3, 4]; A b[2](g = G);",
         "",
         UnsupportedModelError,
-        "M.mo: the elements of an array of components take arrays from a literal of braces only",
+        "M.mo: an array parameter cannot give each element of an array of components an array of its own",
     ),
     "an array of records": Case(
         "record R Real a; Real b; end R; R r[2];",

@@ -59,7 +59,7 @@ def test_a_base_that_is_inherited_twice_with_different_values(bases: str, name: 
     found = PACKAGE.refusal(
         tmp_path, f"model M {bases} end M;", f"M inherits [DF] twice, with different values of {name}"
     )
-    assert "R.mo:20:11: " in found
+    assert "R.mo:20:3: " in found
 
 
 def test_two_values_in_one_modifier(tmp_path: Path) -> None:
