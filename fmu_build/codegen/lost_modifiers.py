@@ -19,7 +19,7 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance, extensions, modified_classes
+from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
 from fmu_build.modelica_source.text import inside_parentheses
 
@@ -89,9 +89,9 @@ def _repeated_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
 def _contradicted_bases(text: ModelText) -> Iterator[tuple[str, Construct]]:
     """Yield classes that inherit one base twice, with different values (Modelica 3.6, section 7.1)."""
     inheritance = Inheritance(text)
-    for name, _, plain in text.named():
+    for name, _, _ in text.named():
         simple = name.rpartition(".")[2]
-        if len(list(extensions(plain))) < 2 or len(text.of(simple)) > 1:
+        if len(text.of(simple)) > 1:
             continue
         for base, path in inheritance.contradictions(simple):
             if len(text.of(base)) == 1:

@@ -13,9 +13,14 @@ from fmu_build.modelica_source.modifiers import Path, closing, values
 _REDECLARED = r"\bredeclare\s+(?:replaceable\s+)?(?:\w+\s*\.\s*)*(?P<type>\w+)\s+\w+\s*\("
 
 
-def extensions(plain: str) -> Iterator[tuple[str, str]]:
-    """Yield the simple name and the modifiers of each base class in the text of a class."""
+def extensions(plain: str, *, short_classes: bool = True) -> Iterator[tuple[str, str]]:
+    """Yield the simple name and the modifiers of each base class in the text of a class.
+
+    With `short_classes`, also those of the short classes in it, as in ``package P = Q(c = 2)``.
+    """
     for found in re.finditer(EXTENSION_CLAUSE, plain):
+        if not short_classes and not found[0].startswith("extends"):
+            continue
         end = closing(plain, found.end()) - 1 if found["open"] is not None else found.end()
         yield found["base"], plain[found.end() + 1 : end]
 
@@ -41,6 +46,7 @@ class Inheritance:
 
     def __init__(self, text: ModelText) -> None:
         self.bases: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
+        self._extended: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
         self._components: defaultdict[str, list[Component]] = defaultdict(list)
         self._classes: defaultdict[str, set[str]] = defaultdict(set)
         for name, _, plain in text.named():
@@ -49,6 +55,7 @@ class Inheritance:
                 self._classes[around[-1]].add(simple)
             self._components[simple] += component_clauses(plain)
             self.bases[simple] += extensions(plain)
+            self._extended[simple] += extensions(plain, short_classes=False)
 
     def own_components(self, name: str, component: str) -> Iterator[Component]:
         """Yield the declarations of a component in the classes of this name themselves."""
@@ -84,7 +91,7 @@ class Inheritance:
         self, name: str, outer: Mapping[Path, str], passed: frozenset[str]
     ) -> Iterator[tuple[str, Mapping[Path, str]]]:
         """Yield every way from a class to a base, with the values that this base is given on it."""
-        for base, modifiers in self.bases[name]:
+        for base, modifiers in self._extended[name]:
             if base not in passed:
                 given = {**values(modifiers), **outer}
                 yield base, given

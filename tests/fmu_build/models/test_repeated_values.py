@@ -39,6 +39,8 @@ end R;
         ("extends F(k = 5); extends G(k = 5);", 15.0),
         ("extends F(j = 20); extends J(k = 3);", 23.0),
         ("F f; G g; Real y = f.y + g.y - 14;", 13.0),
+        ("model P = D(k = 3); model Q = D(k = 4); P p; Q q; Real y = p.y + q.y - 14;", 13.0),
+        ("model P = D(k = 3); extends D; P p;", 11.0),
     ],
 )
 def test_a_base_that_is_inherited_twice_with_the_same_values(bases: str, y: float, tmp_path: Path) -> None:
