@@ -1,6 +1,7 @@
 # make run    environment, two FMUs, the paper's free oscillation compared with the reference
 # make test   the tests of the code
-# make test-release  the tests of what a release consists of: wheel, site, binaries for other platforms, sanitizers, benchmarks
+# make test-release  the tests of what a release consists of: wheel, site, its pages carried out as printed, binaries for
+#             other platforms, sanitizers, benchmarks
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
 # make fmu    the twelve FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,
@@ -75,7 +76,7 @@ unexport PYTHONDONTWRITEBYTECODE
 test test-release test-quick: export OPENBLAS_NUM_THREADS = 1
 
 .DELETE_ON_ERROR:
-.PHONY: FORCE run env test test-fmus test-release test-quick fuzz fmu fmu-msl ssp lint lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
+.PHONY: FORCE run env test test-fmus test-release test-quick fuzz fmu fmu-msl ssp lint lint-types lint-c lint-js try-rumoca bench figure figures claims docs docs-links wheel lock clean distclean
 
 run: build/fmi2/.first
 	$(BIN)/python scenarios/free_oscillation.py
@@ -134,9 +135,14 @@ ssp: fmu
 lint: $(READY)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(MAKE) --no-print-directory --jobs 2 --output-sync lint-types lint-c
+
+lint-types:
 	$(BIN)/mypy
-	$(BIN)/python -m tests.lint.c_sources
 	$(BIN)/python -m tests.lint.modelica
+
+lint-c:
+	$(BIN)/python -m tests.lint.c_sources
 
 BIOME := npx --yes @biomejs/biome@2.6.8
 

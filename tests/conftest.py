@@ -20,11 +20,15 @@ from tests.omc import Omc, opened, why_not
 from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
-#: What a release consists of, and what takes long to make: the wheel, the site, binaries for other platforms,
-#: the runtime under sanitizers, benchmarks. A change of the code alone seldom breaks these.
+#: What a release consists of, and what takes long to make: the wheel, the site, its pages carried out as
+#: printed, binaries for other platforms, the runtime under sanitizers, benchmarks. A change of the code alone
+#: seldom breaks these.
 RELEASE = (
-    *("benchmarks", "docs/test_site.py", "fmu_build/packaging/test_rebuild.py", "fmu_build/platforms"),
-    *("fmu_build/runtime/test_sanitizers.py", "test_wheel.py"),
+    *("benchmarks", "docs/test_pages.py::test_a_page_from_top_to_bottom", "docs/test_site.py"),
+    *("fmu_build/packaging/test_binaries.py::test_a_stored_runtime_gives_the_same_library",),
+    *("fmu_build/packaging/test_package.py::test_an_fmu_for_another_machine",),
+    *("fmu_build/packaging/test_rebuild.py", "fmu_build/platforms", "fmu_build/runtime/test_sanitizers.py"),
+    *("test_wheel.py", "test_your_joystick.py"),
 )
 #: What the quick part leaves out, besides tests that build FMUs: those that compile or start other
 #: programs, and those that take more than some seconds for other reasons.
@@ -58,7 +62,8 @@ FIRST = (
 
 
 def _place(item: pytest.Item) -> str:
-    return item.path.relative_to(ROOT / "tests").as_posix()
+    """File and name of a test, as the parts begin with them."""
+    return f"{item.path.relative_to(ROOT / 'tests').as_posix()}::{item.name}"
 
 
 def _is_of_release(item: pytest.Item) -> bool:

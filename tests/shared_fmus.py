@@ -68,11 +68,10 @@ class SharedFmus:
 
     def unpacked(self, model: str, library: Path) -> Path:
         """The folder of the unpacked FMU of a model."""
-        fmu = self._file(model, library, "unpacked")
+        fmu = self.fmu(model, library)
         folder = fmu.with_suffix("")
-        with self._lock(folder), plain_builds():
+        with self._lock(folder):
             if not folder.exists():
-                build_fmu(model, fmu.parent, library=library)
                 part = fmu.with_suffix(".part")
                 extract(str(fmu), str(part))
                 part.rename(folder)

@@ -99,10 +99,10 @@ def checked_constants(description: FmuDescription, inputs: Mapping[str, Value]) 
 
 
 def _require_known(description: FmuDescription, names: Iterable[object]) -> None:
-    known = description.names("input")
     for name in names:
-        if name not in known:
-            raise UnknownInputError(str(name), known)
+        variable = description.variables.get(str(name))
+        if variable is None or variable.causality != "input":
+            raise UnknownInputError(str(name), description.names("input"))
 
 
 def _require_table(inputs: object) -> None:
@@ -171,7 +171,7 @@ def _constant(name: str, value: object) -> NDArray[Any]:
 def communication_points(instants: FloatArray, table: InputTable) -> FloatArray:
     """The output times and, between them, the times at which the inputs have a kink or a jump."""
     inner = table.time[(table.time > instants[0]) & (table.time < instants[-1])]
-    return np.union1d(instants, inner)
+    return np.union1d(instants, inner) if inner.size else instants
 
 
 def input_series(description: FmuDescription, table: InputTable, points: FloatArray) -> list[InputSeries]:

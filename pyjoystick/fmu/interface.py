@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_int, c_size_t, c_void_p, cast, string_at
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Final
 
@@ -42,18 +42,18 @@ class CInterface:
         version: 2 or 3
         fixed: names of the functions in the order of `stepping.program`; empty if there is none
         types: stored types by the type of a variable in the model description
+        functions: names of all functions, in the order of `stepping.program.Program.functions`
     """
 
     version: int
     fixed: tuple[str, ...]
     types: MappingProxyType[str, StoredType]
+    functions: tuple[str, ...] = field(init=False)
 
-    @property
-    def functions(self) -> tuple[str, ...]:
-        """Names of all functions, in the order of `stepping.program.Program.functions`."""
+    def __post_init__(self) -> None:
         names = dict.fromkeys(stored.name for stored in self.types.values())
-        prefix = f"fmi{self.version}"
-        return (*self.fixed, *(f"{prefix}{verb}{name}" for verb in ("Set", "Get") for name in names))
+        values = [f"fmi{self.version}{verb}{name}" for verb in ("Set", "Get") for name in names]
+        object.__setattr__(self, "functions", (*self.fixed, *values))
 
     def place(self, verb: str, stored: StoredType) -> int:
         """Index in `functions` of the setter (``Set``) or getter (``Get``)."""

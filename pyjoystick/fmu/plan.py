@@ -82,7 +82,7 @@ class Plan:
             description,
             pool.library.fmi if isinstance(pool, InstancePool) else None,
             points,
-            np.isin(points, self.time),
+            np.isin(points, self.time, assume_unique=True),
             positive("tolerance", tolerance),
             constants,
             self._varied.variables,

@@ -165,7 +165,7 @@ class Runner:
     def failure(self, status: int) -> tuple[int, FmuRunError]:
         """Index and error of the run that failed with this status; prepares the runner for the next run."""
         instance, place, preparation = self._instance, self._workspace.place, self._job.preparation
-        run, reached = int(place[RUN]), preparation.program.times[place[POINT]]
+        run, reached = int(place[RUN]), float(preparation.program.times[place[POINT]])
         if status == LATE:
             reason = f"the run took longer than the time limit of {self._job.time_limit:g} s"
             messages = tuple(instance.log.messages())
@@ -181,7 +181,7 @@ class Runner:
     def _samples_until(self, end: float) -> Samples:
         """The recorded samples, plus one at the end if none was taken there."""
         program, place = self._job.preparation.program, self._workspace.place
-        instants = np.array(program.times)[np.array(program.recorded)][: place[SAMPLES]].tolist()
+        instants = program.times[program.recorded][: place[SAMPLES]].tolist()
         if not instants or instants[-1] < end:
             row = self._workspace.raw_address + len(instants) * program.outputs_stride
             if transfer(program, self._workspace, program.outputs, row) in (OK, WARNING):

@@ -20,7 +20,7 @@ from pyjoystick.identification.bench import UNCERTAIN, Bench
 from pyjoystick.identification.fitting.fit import fit, fitted_values
 from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE
 from pyjoystick.identification.fitting.problem.known_values import with_values
-from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Uncertainty
+from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Search, Uncertainty
 from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.swing_estimate import with_estimated_starts
 from pyjoystick.laboratory import REST_TIME, LoadCurveFit, mean_period
@@ -104,6 +104,8 @@ def run_contribution(
 
 #: Every sample has the same weight, so that errors propagate through the fit linearly.
 _PLAIN: Final = Noise(colored=False, robust=False)
+#: A search that starts at the solution for values that have hardly moved needs no first parts of the records.
+_NEAR: Final = Search(stages=())
 
 
 def settings_of_refit(joystick: JoystickParameters, noise: Noise = _PLAIN) -> FitSettings:
@@ -151,7 +153,7 @@ def fit_contributions(
     joystick = bench.joystick.replace(found.shared())
 
     def refit(moved: Sequence[Record], one: JoystickParameters) -> dict[str, float]:
-        return fitted_values(moved, settings_of_refit(one), fmu)
+        return fitted_values(moved, dataclasses.replace(settings_of_refit(one), search=_NEAR), fmu)
 
     plain = refit(records, joystick)
     contributions = [

@@ -5,10 +5,12 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import fmpy
@@ -49,11 +51,12 @@ def _generated(folder: Path) -> list[Path]:
 
 
 def _complains(name: str, command: list[str], files: list[Path]) -> bool:
-    # One file at a time: zig's driver links what it is given together, whatever the options say.
-    with tempfile.TemporaryDirectory() as objects:
-        bad = [
-            f.name for f in files if subprocess.run([*command, str(f)], cwd=objects, check=False).returncode
-        ]
+    def is_good(file: Path) -> bool:
+        # One file at a time: zig's driver links what it is given together, whatever the options say.
+        return subprocess.run([*command, str(file)], cwd=objects, check=False).returncode == 0
+
+    with tempfile.TemporaryDirectory() as objects, ThreadPoolExecutor(os.cpu_count()) as pool:
+        bad = [file.name for file, good in zip(files, pool.map(is_good, files), strict=True) if not good]
     print(f"{name}: {len(files)} files, {len(bad)} with warnings {' '.join(bad)}".rstrip())
     return bool(bad)
 

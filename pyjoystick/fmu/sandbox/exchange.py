@@ -83,7 +83,7 @@ class InputTables:
         self._preparation = preparation
         program = preparation.program
         points = len(program.times)
-        changed = np.asarray(program.changed, dtype=np.bool_).reshape(points, -1)
+        changed = program.changed
         self._tabled = [
             i
             for i, group in enumerate(program.inputs)

@@ -47,7 +47,7 @@ class SandboxedRun:
     ) -> None:
         self._machine = machine
         self._program = preparation.program
-        self._times = np.asarray(self._program.times, dtype=np.float64)
+        self._times = self._program.times
         self._layout = layout
         self._inputs = inputs
         self.table = np.empty((len(self._times), layout.n))

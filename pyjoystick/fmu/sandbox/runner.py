@@ -69,7 +69,7 @@ class SandboxRunner:
         self._constants = settings_of(preparation, program.constants, program.constants_row)
         self._inputs = InputTables(preparation)
         self._layout = Layout(preparation)
-        self._recorded = np.array(program.recorded, dtype=np.bool_)
+        self._recorded = program.recorded
         self._machine: Machine | None = None
         self._run: SandboxedRun
         self._failed: tuple[int, FmuRunError] | None = None
@@ -154,7 +154,7 @@ class SandboxRunner:
     def _samples_until(self, end: float) -> Samples:
         """The recorded samples, plus one at the end if none was taken there."""
         run, kept = self._run, self._recorded[: self._run.rows]
-        instants = np.array(self._preparation.program.times)[: run.rows][kept]
+        instants = self._preparation.program.times[: run.rows][kept]
         table = run.table[: run.rows][kept]
         if run.after is not None:
             instants, table = np.append(instants, end), np.concatenate((table, run.after))

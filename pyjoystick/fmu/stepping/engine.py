@@ -46,12 +46,11 @@ def loop(
         load_compiler: load Numba if it is not loaded yet, which takes longer than a few plain runs
     """
     if not has_compiled_loop() or (_compiled is None and not load_compiler):
-        return partial(run_many, program, operations, instants)
+        # Python indexes lists several times as fast as arrays.
+        lists = {name: getattr(program, name).tolist() for name in ("times", "recorded", "changed")}
+        return partial(run_many, program._replace(**lists), operations, instants)
     arrays = program._replace(
         functions=np.array(program.functions, dtype=np.intp),
-        times=np.array(program.times),
-        recorded=np.array(program.recorded, dtype=np.bool_),
-        changed=np.array(program.changed, dtype=np.bool_).reshape(len(program.times), -1),
         columns=np.array(program.columns, dtype=np.intp),
         constants=_as_array(program.constants),
         varied=_as_array(program.varied),

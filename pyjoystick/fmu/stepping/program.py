@@ -71,6 +71,8 @@ GROUP: Final = np.dtype([(name, np.intp) for name in Group._fields], align=True)
 class Program(NamedTuple):
     """Data that all runs of a plan share. Addresses point to arrays that the plan keeps alive.
 
+    The plain loop is given lists in place of the arrays over the points.
+
     Attributes:
         version: FMI version, 2 or 3
         functions: addresses of the C functions
@@ -96,8 +98,8 @@ class Program(NamedTuple):
 
     version: int
     functions: Sequence[int] | NDArray[np.intp]
-    times: Sequence[float] | FloatArray
-    recorded: Sequence[bool] | NDArray[np.bool_]
+    times: FloatArray
+    recorded: NDArray[np.bool_]
     tolerance: float
     stop_defined: int
     constants: Sequence[Group]
@@ -107,7 +109,7 @@ class Program(NamedTuple):
     inputs: Sequence[Group]
     inputs_rows: int
     inputs_stride: int
-    changed: Sequence[Sequence[bool]] | NDArray[np.bool_]
+    changed: NDArray[np.bool_]
     moving: int
     moving_references: int
     moving_orders: int
