@@ -123,7 +123,7 @@ class _Code:
             for what, values in (("residual", block.residuals), ("jacobian", entries)):
                 parts.append(c_function(signature.format(what, what), self._stores(what, values)))
             unknowns = "".join(
-                f"    {{{self._names['y', index]}, {c_string(self._texts.text(ex.y(index)))}, "
+                f"    {{{self._names['y', index]}, {c_string(_shown(self._texts.text(ex.y(index))))}, "
                 f"{self._nominals.get(index, 1.0)!r}}},\n"
                 for index in block.unknowns
             )
@@ -274,6 +274,11 @@ class _Code:
             if self._equations.actions
             else ["if (size > 0) text[0] = '\\0';"]
         )
+
+
+def _shown(name: str) -> str:
+    """The name of an unknown in messages; rumoca writes ``$derivative.x`` for ``der(x)``."""
+    return f"der({state})" if (state := name.removeprefix("$derivative.")) != name else name
 
 
 def _parts(steps: Iterable[Step]) -> list[Expression]:

@@ -128,6 +128,14 @@ def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     )
 
 
+def _vanishing_derivatives(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield (
+        "the factor of a der(...) is zero, or not finite, with the values of its parameters: a variable "
+        "whose capacitance or inertia is zero is no state; leave that component out",
+        None,
+    )
+
+
 def _nested_arrays(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield (
         "an array parameter cannot give each element of an array of components an array of its own; "
@@ -174,6 +182,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("one subscript per array dimension", _nested_arrays),
     ("definition of `([^`]+)` reads `([^`]+)`, which is causally reachable", _loops_over_samples),
     ("derivative coordinate escaped", _derivatives_at_events),
+    ("zero or non-finite affine coefficient", _vanishing_derivatives),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )

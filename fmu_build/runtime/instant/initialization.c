@@ -80,7 +80,9 @@ static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
                                  .name = name,
                                  .evaluate = evaluate,
                                  .linearize = differentiate};
-    const NewtonResult result = newton_solve(&system);
+    NewtonResult result = newton_solve(&system);
+    if (result == NEWTON_NOT_FINITE)
+        result = newton_solve_beside(&system);
     const Values *values = initial->values;
     if (result == NEWTON_SOLVED)
         return NULL;

@@ -55,11 +55,24 @@ static NewtonSystem system_at(Point *point)
                           .linearize = linearize};
 }
 
+/* Returns whether no unknown has been solved for yet. */
+static bool has_start_values(const Block *block, const double *y)
+{
+    for (size_t i = 0; i < block->size; ++i)
+        if (y[block->unknowns[i].index] != model.y_start[block->unknowns[i].index])
+            return false;
+    return true;
+}
+
 bool block_solve(const Block *block, double time, double *y, const double *p)
 {
     Point point = {block, time, y, p};
     const NewtonSystem system = system_at(&point);
-    return newton_solve(&system) == NEWTON_SOLVED;
+    NewtonResult result = newton_solve(&system);
+    /* Once solved, the unknowns are no guesses: another solution would be another motion. */
+    if (result == NEWTON_NOT_FINITE && !block->linear && has_start_values(block, y))
+        result = newton_solve_beside(&system);
+    return result == NEWTON_SOLVED;
 }
 
 static NewtonResult find_tangents(const Block *block, double time, const double *y, const double *p, double *moves)

@@ -29,7 +29,7 @@ static bool is_rounding(size_t n, const double *matrix, size_t k)
     return fabs(matrix[k * n + k]) <= (double)k * DBL_EPSILON * terms;
 }
 
-bool lu_factor(size_t n, double *matrix, size_t *pivot)
+size_t lu_eliminate(size_t n, double *matrix, size_t *pivot)
 {
     for (size_t k = 0; k < n; ++k) {
         pivot[k] = largest_in_column(n, matrix, k);
@@ -37,14 +37,30 @@ bool lu_factor(size_t n, double *matrix, size_t *pivot)
             for (size_t j = 0; j < n; ++j)
                 swap(&matrix[k * n + j], &matrix[pivot[k] * n + j]);
         if (is_rounding(n, matrix, k))
-            return false;
+            return k;
         for (size_t i = k + 1; i < n; ++i) {
             const double factor = matrix[i * n + k] /= matrix[k * n + k];
             for (size_t j = k + 1; j < n; ++j)
                 matrix[i * n + j] -= factor * matrix[k * n + j];
         }
     }
-    return true;
+    return n;
+}
+
+bool lu_factor(size_t n, double *matrix, size_t *pivot)
+{
+    return lu_eliminate(n, matrix, pivot) == n;
+}
+
+void lu_null_vector(size_t n, const double *factors, size_t eliminated, double *x)
+{
+    for (size_t i = 0; i < n; ++i)
+        x[i] = i == eliminated;
+    for (size_t i = eliminated; i-- > 0;) {
+        for (size_t j = i + 1; j <= eliminated; ++j)
+            x[i] -= factors[i * n + j] * x[j];
+        x[i] /= factors[i * n + i];
+    }
 }
 
 void lu_solve(size_t n, const double *factors, const size_t *pivot, double *x)

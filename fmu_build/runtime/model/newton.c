@@ -2,14 +2,13 @@
 #include "linear.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
     STACK_SIZE = 12, /* systems up to this size need no allocation */
     VECTORS = 6,
-    MAX_ITERATIONS = 100, /* quoted in problem() */
+    MAX_ITERATIONS = 100, /* quoted in newton_explain.c */
     MAX_HALVINGS = 30
 };
 
@@ -25,6 +24,13 @@ static const double rounding_merit = 1e-31;
  * the unknowns are as accurate as possible if the full step changes none of them by more than this fraction of its
  * size. */
 static const double stagnant_step = 1e-6;
+/* Starts off a guess at which the equations are not defined, in units of the nominal values: the golden ratio and the
+ * square root of 2 spread them, and each has its mirror image. */
+static const struct {
+    double sign, part;
+} offsets[] = {{1.0, 0.61803398874989485}, {-1.0, 0.61803398874989485}, {1.0, 0.41421356237309505}, {-1.0, 0.41421356237309505}};
+/* Solutions that differ by less, relative to their size, are the same. */
+static const double same_solution = 1e-6;
 
 typedef struct {
     const NewtonSystem *system;
@@ -268,38 +274,60 @@ NewtonResult newton_solve(const NewtonSystem *system)
     return result;
 }
 
-static const char *problem(NewtonResult result)
+/* Returns a number between 0.1 and 1.1 for each unknown: multiples of `part` modulo 1 are spread evenly. */
+static double spread(size_t i, double part)
 {
-    switch (result) {
-    case NEWTON_SOLVED:
-        break;
-    case NEWTON_SINGULAR:
-        return "singular Jacobian";
-    case NEWTON_STUCK:
-        return "no convergence, as no part of a step lowers the residual";
-    case NEWTON_ENDLESS:
-        return "no convergence after 100 iterations";
-    case NEWTON_NOT_FINITE:
-        return "residual or Jacobian not finite";
-    case NEWTON_NO_MEMORY:
-        return "out of memory";
-    }
-    return "";
+    const double turns = (double)(i + 1) * part;
+    return 0.1 + turns - floor(turns);
 }
 
-const char *newton_explain(const NewtonSystem *system, NewtonResult result, const char *what,
-                           char text[NEWTON_TEXT_SIZE])
+static bool is_same(double found, double other, double nominal)
 {
-    enum { ROOM_FOR_THE_REST = 128 };
-    size_t length = (size_t)snprintf(text, NEWTON_TEXT_SIZE, "%s of", what), named = 0;
-    for (; named < system->size; ++named) {
-        const char *name = system->name(system->context, named);
-        if (length + strlen(name) + ROOM_FOR_THE_REST > NEWTON_TEXT_SIZE)
-            break;
-        length += (size_t)sprintf(text + length, "%s `%s`", named > 0 ? "," : "", name);
+    return fabs(found - other) <= same_solution * fmax(fmax(fabs(found), fabs(other)), nominal);
+}
+
+/* Keeps a solution, or compares it with the one that was kept; returns whether they are the same. */
+static bool keep_solution(const NewtonSystem *system, double *kept, bool is_first)
+{
+    bool same = true;
+    for (size_t i = 0; i < system->size; ++i) {
+        const double value = *system->unknown(system->context, i);
+        if (is_first)
+            kept[i] = value;
+        else
+            same = same && is_same(value, kept[i], system->nominal(system->context, i));
     }
-    if (named < system->size)
-        length += (size_t)sprintf(text + length, " and %zu%s", system->size - named, named > 0 ? " more" : " unknowns");
-    sprintf(text + length, " could not be solved: %s", problem(result));
-    return text;
+    return same;
+}
+
+static void put(const NewtonSystem *system, const double *values)
+{
+    for (size_t i = 0; i < system->size; ++i)
+        *system->unknown(system->context, i) = values[i];
+}
+
+NewtonResult newton_solve_beside(const NewtonSystem *system)
+{
+    const size_t n = system->size;
+    double *start = malloc(2 * n * sizeof(double)), *kept = start + n;
+    if (start == NULL)
+        return NEWTON_NO_MEMORY;
+    keep_solution(system, start, true);
+    size_t solved = 0;
+    NewtonResult result = NEWTON_SOLVED;
+    for (size_t k = 0; k < sizeof offsets / sizeof *offsets && result == NEWTON_SOLVED; ++k) {
+        for (size_t i = 0; i < n; ++i)
+            *system->unknown(system->context, i) =
+                start[i] + offsets[k].sign * spread(i, offsets[k].part) * system->nominal(system->context, i);
+        const NewtonResult found = newton_solve(system);
+        if (found == NEWTON_SOLVED)
+            result = keep_solution(system, kept, solved++ == 0) ? NEWTON_SOLVED : NEWTON_NOT_FINITE;
+        else if (found != NEWTON_NOT_FINITE)
+            result = NEWTON_NOT_FINITE;
+    }
+    if (solved < 2)
+        result = NEWTON_NOT_FINITE;
+    put(system, result == NEWTON_SOLVED ? kept : start);
+    free(start);
+    return result;
 }

@@ -31,9 +31,14 @@ typedef struct {
 /* Solves for the unknowns, from their values as initial guesses; without a solution, the unknowns are unchanged. */
 NewtonResult newton_solve(const NewtonSystem *system);
 
-enum { NEWTON_TEXT_SIZE = 512 };
+/* Solves from starts on all sides of a guess at which the equations are not defined, as 1/(a - b) with two guesses of
+ * 0. All starts that lead to a solution must lead to the same one; otherwise NEWTON_NOT_FINITE. */
+NewtonResult newton_solve_beside(const NewtonSystem *system);
 
-/* Explains a failure with the names of the unknowns: "WHAT of `a`, `b` could not be solved: ...". Returns `text`. */
+enum { NEWTON_TEXT_SIZE = 768 };
+
+/* Explains a failure with the names of the unknowns: "WHAT of `a`, `b` could not be solved: ...", and of those that a
+ * singular Jacobian leaves undetermined. Returns `text`. */
 const char *newton_explain(const NewtonSystem *system, NewtonResult result, const char *what,
                            char text[NEWTON_TEXT_SIZE]);
 

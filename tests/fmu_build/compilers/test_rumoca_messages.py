@@ -78,6 +78,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:54: reinit() of single elements of an array is not supported; write reinit(x, {...}) for the",
     ),
+    "a capacitance of zero": Case(
+        "parameter Real C = 0; Real v(start = 1, fixed = true), u(start = 2, fixed = true); Real i;",
+        "i = C*(der(v) - der(u)); i = -v; der(u) = i - u;",
+        UnsupportedModelError,
+        "M.mo: the factor of a der(...) is zero, or not finite, with the values of its parameters",
+    ),
     "an Integer that equals sign()": Case(
         "Integer s;",
         "s = sign(time - 0.5);",

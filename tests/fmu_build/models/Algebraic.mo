@@ -139,4 +139,15 @@ package Algebraic "Algebraic loops, tearing, and models without states"
     (force, energy) = hardening(stretch, k);
     force = x - stretch;
   end LoopThroughFunction;
+
+  model UndefinedAtZero "Loops that are not defined, or have no finite slope, where their unknowns are zero"
+    Real x(start=0, fixed=true);
+    Real plus, minus, current, z;
+  equation
+    der(x) = 1;
+    plus = 10 - 0.5*current;
+    minus = -10 - 0.5*current;
+    current = (20 + x)/(plus - minus) - plus/10;
+    sqrt(z) + z = 2 + x;
+  end UndefinedAtZero;
 end Algebraic;

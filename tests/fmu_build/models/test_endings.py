@@ -75,7 +75,8 @@ def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
 @pytest.mark.parametrize(
     ("model", "message"),
     [
-        ("SingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
+        ("SingularLoop", "singular Jacobian: the equations do not determine `z`, `y`"),
+        ("EitherSide", "the algebraic loop of `z` could not be solved: residual or Jacobian not finite"),
         ("NearlySingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
         ("NoSolution", "the algebraic loop of `x` could not be solved: "),
         ("ImpossibleStart", "At time 0: the initial equations of `x` could not be solved: "),
@@ -91,6 +92,18 @@ def test_a_model_that_cannot_go_on_says_why(
     with pytest.raises(FMICallException):
         run(fmi_type)
     assert any(message in logged for logged in run.messages), run.messages
+
+
+@pytest.mark.parametrize("fmi_type", TYPES)
+def test_a_loop_that_a_parameter_makes_singular_names_what_it_leaves_open(
+    fmi_type: str, shared_fmus: SharedFmus
+) -> None:
+    run = Run("Failing.NoCapacitance", FAILING, shared_fmus)
+    run(fmi_type, stop_time=0.1)
+    with pytest.raises(FMICallException):
+        run(fmi_type, C=0.0)
+    message = "`i`, `der(v)`, `der(u)` could not be solved: singular Jacobian: the equations do not determine"
+    assert any(f"{message} `der(v)`" in logged for logged in run.messages), run.messages
 
 
 @pytest.mark.parametrize("fmi_type", TYPES)

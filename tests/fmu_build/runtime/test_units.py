@@ -216,7 +216,12 @@ def fail(units: c.CDLL) -> Iterator[Callable[[bool, float], None]]:
     ("unsolvable", "entry", "why"),
     [
         (True, 1.0, "the algebraic loop of `u` could not be solved: residual or Jacobian not finite"),
-        (False, 0.0, "the algebraic loop of `u` could not be solved: singular Jacobian"),
+        (
+            False,
+            0.0,
+            "the algebraic loop of `u` could not be solved: "
+            "singular Jacobian: the equations do not determine `u`",
+        ),
         (False, 1.0, "a system of equations has no solution, or memory was short"),
     ],
 )
@@ -226,7 +231,7 @@ def test_a_loop_is_explained(
     """One that has no solution, one whose tangents are undetermined, and one that now has both."""
     fail(unsolvable, entry)
     units.blocks_explain.restype = c.c_char_p
-    text = c.create_string_buffer(512)
+    text = c.create_string_buffer(768)
     assert units.blocks_explain(c.c_double(0.0), _array([0.0, 0.0]), None, text).decode() == why
 
 

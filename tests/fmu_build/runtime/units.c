@@ -16,10 +16,13 @@ Block test_loop;
 bool test_solvable = true;
 static const Block *const blocks[] = {&test_loop};
 
+static const double y_start[] = {0.0, 0.0};
+
 const Model model = {
     .n_states = 2,
     .n_y = 2,
     .n_p = 3,
+    .y_start = y_start,
     .n_roots = 1,
     .n_relations = 1,
     .relations = relations,

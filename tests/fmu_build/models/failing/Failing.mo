@@ -74,6 +74,24 @@ package Failing "Models that build, and whose run must end with a message"
     der(x) = x*x;
   end Pole;
 
+  model EitherSide "Two solutions on both sides of a guess at which the equation is not defined"
+    Real x(start=1, fixed=true);
+    Real z;
+  equation
+    der(x) = -x;
+    z/4 = 1/z;
+  end EitherSide;
+
+  model NoCapacitance "Where C is 0, nothing determines der(v)"
+    parameter Real C = 1;
+    Real v(start=1, fixed=true), u(start=2, fixed=true);
+    Real i "From v to u";
+  equation
+    i = C*(der(v) - der(u));
+    i + i^3 = -v - 0.1*C*der(v);
+    der(u) = i - u;
+  end NoCapacitance;
+
   model TwoStarts "Initial equations with two solutions, and guesses halfway between them"
     parameter Real p(fixed=false), q(fixed=false);
     Real x(start=1, fixed=true);

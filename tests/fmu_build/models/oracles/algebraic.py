@@ -105,7 +105,14 @@ def through_function(t: Array, k: float) -> Values:
     return {"stretch": s, "force": t - s, "energy": s**2 / 2 + k * s**4 / 4}
 
 
+def undefined_at_zero(t: Array) -> Values:
+    """The supply is 20, so that 0.95 current = t/20; z is the square of r with r + r^2 = 2 + t."""
+    current = t / 19
+    return {"current": current, "plus": 10 - current / 2, "z": (np.sqrt(2.25 + t) - 0.5) ** 2}
+
+
 CASES = (
+    Case("Algebraic.UndefinedAtZero", 2.0, undefined_at_zero),
     Case("Algebraic.WarmResistor", 3.0, warm_resistor),
     Case("Algebraic.LoopThroughFunction", 2.0, partial(through_function, k=2.0)),
     Case(
