@@ -150,20 +150,24 @@ def _causes(
 ) -> tuple[list[Finding], int, list[str], list[Unseen]]:
     """Effects that explain the residuals better than noise, the number tried, and any not judged or seen."""
     known: dict[str, list[Suspect]] = {}
+    # In colored noise, whose correlation is an estimate, the usual suspects would be found too often.
+    is_white = problem.noise.correlation == 0.0
     for suspect in suspects(problem, x):
-        known.setdefault(suspect.name, []).append(suspect)
+        known.setdefault(suspect.name, []).append(replace(suspect, usual=suspect.usual and is_white))
     every = [one for several in known.values() for one in several]
     findings = score_test(problem, view.residuals, view.jacobian, every)
-    causes = significant(findings, 2.0 * residual_checks.CHANCE)
+    level = 2.0 * residual_checks.CHANCE
+    causes = significant(findings, level)
     if causes:
         first = {name: several[0] for name, several in known.items()}
         causes = tried(causes, first, problem, settings, x, make)
     judged = {one.name for one in findings}
+    unusual = sum(not one.usual for one in findings)
     imitated = [name for name in known if name not in judged]
     if causes:
         return causes, len(judged), imitated, []
-    level = 2.0 * residual_checks.CHANCE / max(len(judged), 1)
-    return [], len(judged), imitated, unseen(problem, x, view.jacobian, every, level)
+    missed = unseen(problem, x, view.jacobian, every, level / max(unusual, 1), 2.0 * level)
+    return [], len(judged), imitated, missed
 
 
 def _whiteness(problem: Problem, x: FloatArray, view: ResidualView, *, explained: bool) -> trust.Check:

@@ -31,6 +31,7 @@ class Finding:
         explained: part of the sum of squares that it would remove, to first order
         evidence: decrease of Schwarz's criterion (BIC)
         chance: probability that noise alone explains as much, for this suspect and its alternatives
+        usual: whether the suspect is tested at a level of its own
     """
 
     name: str
@@ -38,6 +39,7 @@ class Finding:
     explained: float
     evidence: float
     chance: float
+    usual: bool = False
 
     def __str__(self) -> str:
         return f"{self.name} ({self.size})" if self.size else self.name
@@ -104,7 +106,7 @@ def _tested(
     size = suspect.says(sizes) if rank == columns.shape[1] or suspect.own else ""
     part = min(explained / total, 1.0 - 1e-12) if total > 0.0 else 0.0
     evidence = -(freedom + basis.shape[1]) * math.log1p(-part) - rank * math.log(problem.size)
-    return Finding(suspect.name, size, part, evidence, min(chance, 1.0))
+    return Finding(suspect.name, size, part, evidence, min(chance, 1.0), suspect.usual)
 
 
 def _side_by_side(blocks: Sequence[FloatArray]) -> FloatArray:
@@ -119,9 +121,13 @@ def _side_by_side(blocks: Sequence[FloatArray]) -> FloatArray:
 
 
 def significant(findings: Sequence[Finding], level: float) -> list[Finding]:
-    """Findings significant at this rate of false alarms per fit, corrected for the number of suspects."""
-    tried = sum(one.explained > 0.0 for one in findings)
-    return [one for one in findings if one.chance * tried < level]
+    """Findings significant at this rate of false alarms per fit.
+
+    The rate is for all suspects together, and once more for each usual one, which would hide among them. Half
+    of all noise has the sign that a usual suspect cannot have.
+    """
+    tried = sum(one.explained > 0.0 and not one.usual for one in findings)
+    return [one for one in findings if one.chance * (0.5 if one.usual else tried) < level]
 
 
 def explanation(findings: Sequence[Finding]) -> str:

@@ -29,6 +29,7 @@ class Suspect:
         own: whether each record has its own size
         free: free parameters of a fit that includes it; empty if no FMU has them
         alternatives: number of other suspects of its kind
+        usual: whether most joysticks or records have it, with one sign; it is tested at a level of its own
     """
 
     name: str
@@ -38,6 +39,7 @@ class Suspect:
     own: bool = False
     free: tuple[Free, ...] = ()
     alternatives: int = 1
+    usual: bool = False
 
 
 def each(

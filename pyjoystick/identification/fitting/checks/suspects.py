@@ -59,6 +59,7 @@ def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
         each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")))),
         lambda s: f"T_c about {s[0]:.2g} N m",
         one_sided=True,
+        usual=True,
         free=(PIVOT_FRICTION,),
     )
     if motions[0].has("M_s", "f_x"):
@@ -67,6 +68,7 @@ def _friction(motions: Sequence[FittedMotion]) -> Iterator[Suspect]:
             each(motions, lambda one: one.with_moment(-np.sign(one.series("omega")) * _lever(one))),
             lambda s: f"F_c about {s[0]:.2g} N",
             one_sided=True,
+            usual=True,
             free=(PLUNGER_FRICTION,),
         )
 
@@ -206,4 +208,5 @@ def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
         each(motions, column),
         lambda sizes: f"about {math.sqrt(2.0 * slope * sizes[0]):.2g} rad/s",
         one_sided=True,
+        usual=True,
     )

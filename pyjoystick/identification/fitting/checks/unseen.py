@@ -38,7 +38,12 @@ class Unseen(NamedTuple):
 
 
 def unseen(
-    problem: Problem, x: FloatArray, jacobian: FloatArray, found: Iterable[Suspect], level: float
+    problem: Problem,
+    x: FloatArray,
+    jacobian: FloatArray,
+    found: Iterable[Suspect],
+    level: float,
+    usual: float,
 ) -> list[Unseen]:
     """Suspects (of one size in all records) that can go unseen and bias a parameter beyond its interval.
 
@@ -52,13 +57,14 @@ def unseen(
         jacobian: of the weighted predictions and of prior knowledge, shape (terms, variables)
         found: the suspects
         level: false-alarm probability of the test for one suspect
+        usual: the same for a usual suspect, of either sign
     """
     basis = column_space(jacobian)
     lengths = np.linalg.norm(jacobian, axis=0)
     solve = np.linalg.pinv(jacobian / np.where(lengths > 0.0, lengths, 1.0))
     errors = np.linalg.norm(solve, axis=1)  # of the variables, times the column lengths
     shared = [j for j, one in enumerate(problem.variables.free) if one.record is None and lengths[j] > 0.0]
-    quantile = float(stats.norm.isf(0.5 * level) + stats.norm.ppf(_POWER))
+    quantiles = stats.norm.isf(0.5 * np.array([level, usual])) + stats.norm.ppf(_POWER)
     missed = []
     for suspect in found if shared else ():
         if suspect.own or suspect.alternatives > 1 or suspect.columns[0].shape[1] > 1:
@@ -70,7 +76,7 @@ def unseen(
         rest = float(np.linalg.norm(column - basis @ (basis.T @ column)))
         if rest <= DISTINCT * float(np.linalg.norm(column)):
             continue
-        size = quantile / rest
+        size = float(quantiles[int(suspect.usual)]) / rest
         moved = size * (solve @ column)
         worst = max(shared, key=lambda j: abs(moved[j]) / errors[j])
         if abs(moved[worst]) > _NOTED * errors[worst] and x[worst]:

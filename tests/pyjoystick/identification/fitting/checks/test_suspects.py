@@ -184,28 +184,30 @@ def test_what_shows_too_much_is_not_clipped(fmus_by_name: Path) -> None:
 
 
 def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
-    """The chance counts as often as there are suspects that explain anything."""
+    """The chance counts as often as there are suspects that explain anything, but for the usual ones."""
     random = np.random.default_rng(4)
     findings = _findings(_shown(lambda theta: theta + NOISE * random.standard_normal(len(theta))))
     assert significant(findings, 1e-2) == []
-    tried = [one.chance for one in findings if one.explained > 0.0]
-    assert len(tried) > 3
-    assert significant(findings, 0.99 * min(tried) * len(tried)) == []
-    assert len(significant(findings, 1.01 * min(tried) * len(tried))) == 1
+    tried = [one for one in findings if one.explained > 0.0]
+    usual = [one.chance / 2.0 for one in tried if one.usual]
+    others = [one.chance for one in tried if not one.usual]
+    assert len(others) > 3
+    least = min([*usual, min(others) * len(others)])
+    assert significant(findings, 0.99 * least) == []
+    assert len(significant(findings, 1.01 * least)) == 1
 
 
-@pytest.mark.parametrize(("friction", "least", "most"), [(2.5e-3, 0.01, 0.02), (2.58e-3, 0.005, 0.01)])
+@pytest.mark.parametrize(("friction", "least", "most"), [(2.0e-3, 0.01, 0.02), (2.14e-3, 0.005, 0.01)])
 def test_a_sound_fit_is_doubted_once_in_a_hundred(
     fmus_by_name: Path, friction: float, least: float, most: float
 ) -> None:
-    """Twice as often as by each of the other checks: where noise explains as much in less than 1 %."""
+    """As often for dry friction alone: where noise of the sign of friction explains as much in less than 1 %."""
     random = np.random.default_rng(4)
     records = [
         dataclasses.replace(one, theta=one.theta + NOISE * random.standard_normal(len(one.theta)))
         for one in _other(friction__T_c=friction)
     ]
-    tried = [one.chance for one in _findings(records) if one.explained > 0.0]
-    assert least < min(tried) * len(tried) < most
+    assert least < min(one.chance / 2.0 for one in _findings(records) if one.usual) < most
     found = fit(records, dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=())))
     (check,) = (one for one in found.checks if one.name == "missing physics")
     assert check.passed == (least >= 0.01)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,7 +18,7 @@ from tests.pyjoystick.identification.fitting.made import linear_problem
 #: Two variables with columns at right angles, of lengths 3 and 2, and a third direction.
 MATRIX = np.array([[3.0, 0.0], [0.0, 2.0], [0.0, 0.0], [0.0, 0.0]])
 X = np.array([5.0, 7.0])
-LEVEL = 0.01
+LEVEL, USUAL = 0.01, 0.05
 #: Of a normal number: seen at the level in nine cases of ten.
 SEEN = 2.5758293 + 1.2815516
 
@@ -25,7 +26,7 @@ SEEN = 2.5758293 + 1.2815516
 def _unseen(*found: Suspect) -> list[Unseen]:
     free = (Free("J", start=1.0), Free("m", start=1.0))
     problem = linear_problem([MATRIX], [MATRIX @ X], free)
-    return unseen(problem, X, MATRIX, found, LEVEL)
+    return unseen(problem, X, MATRIX, found, LEVEL, USUAL)
 
 
 def _suspect(name: str, *column: float, alternatives: int = 1, own: bool = False) -> Suspect:
@@ -45,6 +46,12 @@ def test_the_size_that_is_seen_and_what_it_moves(fmus_by_name: Path) -> None:
     # The standard error of J is 1/3.
     assert found.errors == pytest.approx(4.0 * size)
     assert found.part == pytest.approx(4.0 / 3.0 * size / X[0])
+
+
+def test_usual_suspects_are_seen_at_a_smaller_size(fmus_by_name: Path) -> None:
+    (found,) = _unseen(replace(_suspect("friction", 4.0, 1.0, 0.5, 0.0), usual=True))
+    size = (1.9599640 + 1.2815516) / 0.5
+    assert float(found.size) == pytest.approx(size, rel=1e-6)
 
 
 def test_the_variable_that_moves_most_is_named_and_the_worst_comes_first(fmus_by_name: Path) -> None:
