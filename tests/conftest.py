@@ -97,6 +97,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--part", choices=PARTS, help="only a part of the tests; all where it is not given")
 
 
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Leave out files without a test of the part: every process of the tests would read them."""
+    part = config.getoption("--part")
+    if part not in ("code", "release") or not collection_path.is_file():
+        return None
+    place = collection_path.relative_to(ROOT / "tests").as_posix()
+    is_whole = any(place.startswith(one) for one in RELEASE)
+    has_some = any(one.startswith(f"{place}::") for one in RELEASE)
+    return True if (is_whole if part == "code" else not (is_whole or has_some)) else None
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Begin with what takes longest, and leave out what is not of the part."""
     order = {ROOT / "tests" / file: number for number, file in enumerate(FIRST)}
