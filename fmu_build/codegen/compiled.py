@@ -42,6 +42,11 @@ class CompiledModel:
         """The source text of all classes that the model can reach."""
         return ModelText(self.name, {Path(path): text for path, text in self._sources.values()}, around=False)
 
+    @cached_property
+    def classes_around(self) -> ModelText:
+        """The same, and the text of the classes around them."""
+        return ModelText(self.name, {Path(path): text for path, text in self._sources.values()})
+
     def text(self, span: Span) -> str:
         """Return the source text of a span."""
         return self._sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()

@@ -107,20 +107,27 @@ def _classes_of_models(text: ModelText) -> Iterator[tuple[str, str, str]]:
 
 
 def _outside(text: ModelText, inner: str, own: str) -> set[str]:
-    """Return the constants and functions of the enclosing model and its bases that an inner class names."""
-    scopes, waiting = set[str](), [inner.split(".")[-2]]
+    """Return the constants and functions of the enclosing model and its bases that an inner class names.
+
+    The enclosing model is known by its whole name, its bases by their simple ones.
+    """
+    around = inner.rpartition(".")[0]
+    scopes, waiting = set[str](), [around]
     declared: dict[str, set[str]] = {}
     while waiting:
         scope = waiting.pop()
         if scope in scopes:
             continue
         scopes.add(scope)
-        for body in text.of(scope):
+        for body in text.bodies(scope) if scope == around else text.of(scope):
             for clause in re.findall(r"\bconstant\b[^;]*", body):
                 declared |= {one.name: set(re.findall(r"\w+", clause)) for one in component_clauses(clause)}
             waiting += (base.rpartition(".")[2] for base in re.findall(r"\bextends\s+([\w.]+)", body))
-    functions = (name.split(".") for name, kind, _ in text.named() if kind.endswith("function"))
-    declared |= {name[-1]: set() for name in functions if len(name) > 1 and name[-2] in scopes}
+    bases = scopes - {around}
+    for qualified, kind, _ in text.named():
+        scope, _, name = qualified.rpartition(".")
+        if kind.endswith("function") and (scope == around or scope.rpartition(".")[2] in bases):
+            declared[name] = set()
     of_its_own = {one.name for one in component_clauses(own)} | {inner.rpartition(".")[2]}
     found = declared.keys() & set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", own)) - of_its_own
     while not found.issuperset(

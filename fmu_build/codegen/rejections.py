@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from fmu_build.codegen.compiled import Span
+from fmu_build.codegen.connected_slices import reject_reordered_connections
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.member_slices import reject_member_slices
@@ -21,6 +22,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
     reject_member_slices(model)
+    reject_reordered_connections(model)
     reject_lost_modifiers(model)
     reject_mistaken_names(model)
     reject_continuous_definitions(model)

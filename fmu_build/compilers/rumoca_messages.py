@@ -249,6 +249,14 @@ MEANINGS = (
         (r"\[[^\[\]]*\bend\b[^\[\]]*\]",),
     ),
     Meaning(
+        r"structural parameter `connection (?:range|subscript)`|"
+        r"cannot evaluate connection (?:range )?subscript",
+        UnsupportedModelError,
+        "this subscript in connect() is not supported; write numbers, a range of numbers, or one connect() "
+        "for each element, in a loop over numbers",
+        (r"\bconnect\s*\([^;]*\[[^;]*(?=;)",),
+    ),
+    Meaning(
         r"expandable connector .* requires unsupported member augmentation",
         UnsupportedModelError,
         "connections give this expandable connector members that it does not declare, which is not supported "

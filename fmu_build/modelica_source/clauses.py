@@ -44,12 +44,14 @@ class Component:
         name: its own name
         modifiers: text between the parentheses after its name
         value: text after its equals sign; empty if it gets no value as a whole
+        is_array: whether it has subscripts, or its type has
     """
 
     type: str
     name: str
     modifiers: str
     value: str
+    is_array: bool
 
 
 def component_clauses(plain: str) -> Iterator[Component]:
@@ -61,10 +63,10 @@ def component_clauses(plain: str) -> Iterator[Component]:
         clause = _CLAUSE.match(text, start.end() if start else 0)
         if clause is not None:
             simple = clause["type"].rpartition(".")[2].strip()
-            yield from _components(simple, text, clause.end())
+            yield from _components(simple, text, clause.end(), all_arrays=clause[0].rstrip().endswith("]"))
 
 
-def _components(simple: str, text: str, start: int) -> Iterator[Component]:
+def _components(simple: str, text: str, start: int, *, all_arrays: bool) -> Iterator[Component]:
     """Yield the components between commas, from the one whose name begins at `start`."""
     while (found := _COMPONENT.match(text, start)) is not None:
         place, modifiers = found.end(), ""
@@ -74,7 +76,8 @@ def _components(simple: str, text: str, start: int) -> Iterator[Component]:
         end = _end(text, place)
         value = re.match(r"\s*=(?!=)", text[place:end])
         given = text[place + value.end() : end].strip() if value else ""
-        yield Component(simple, found["name"], modifiers, given)
+        is_array = all_arrays or found[0].rstrip().endswith("]")
+        yield Component(simple, found["name"], modifiers, given, is_array)
         start = end + 1
 
 

@@ -68,6 +68,10 @@ class ModelText:
         """Return the texts, without comments and strings, of the classes with this simple name."""
         return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]
 
+    def bodies(self, name: str) -> list[str]:
+        """Return the text, without comments and strings, of the class with this qualified name, if any."""
+        return [self._classes[name]] if name in self._classes else []
+
     def kinds_of(self, simple_name: str) -> set[str]:
         """Return the restrictions, such as "partial package", of the classes with this simple name."""
         return {kind for name, kind in self._kinds.items() if name.rpartition(".")[2] == simple_name}

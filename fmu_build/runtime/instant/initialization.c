@@ -80,11 +80,9 @@ static const char *solve(InitialSystem *initial, char text[NEWTON_TEXT_SIZE])
                                  .name = name,
                                  .evaluate = evaluate,
                                  .linearize = differentiate};
-    NewtonResult result = newton_solve(&system);
-    if (result == NEWTON_NOT_FINITE)
-        result = newton_solve_beside(&system);
+    const NewtonResult result = newton_solve(&system);
     const Values *values = initial->values;
-    if (result == NEWTON_SOLVED)
+    if (result == NEWTON_SOLVED || (newton_blames_guess(result) && newton_solve_beside(&system)))
         return NULL;
     if (result == NEWTON_NOT_FINITE && !model_algebraics(values->time, values->y, values->p))
         return blocks_explain(values->time, values->y, values->p, text);

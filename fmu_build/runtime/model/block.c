@@ -68,11 +68,10 @@ bool block_solve(const Block *block, double time, double *y, const double *p)
 {
     Point point = {block, time, y, p};
     const NewtonSystem system = system_at(&point);
-    NewtonResult result = newton_solve(&system);
+    const NewtonResult result = newton_solve(&system);
     /* Once solved, the unknowns are no guesses: another solution would be another motion. */
-    if (result == NEWTON_NOT_FINITE && !block->linear && has_start_values(block, y))
-        result = newton_solve_beside(&system);
-    return result == NEWTON_SOLVED;
+    const bool is_guess = !block->linear && has_start_values(block, y);
+    return result == NEWTON_SOLVED || (is_guess && newton_blames_guess(result) && newton_solve_beside(&system));
 }
 
 static NewtonResult find_tangents(const Block *block, double time, const double *y, const double *p, double *moves)

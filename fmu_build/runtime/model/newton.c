@@ -24,11 +24,11 @@ static const double rounding_merit = 1e-31;
  * the unknowns are as accurate as possible if the full step changes none of them by more than this fraction of its
  * size. */
 static const double stagnant_step = 1e-6;
-/* Starts off a guess at which the equations are not defined, in units of the nominal values: the golden ratio and the
- * square root of 2 spread them, and each has its mirror image. */
-static const struct {
-    double sign, part;
-} offsets[] = {{1.0, 0.61803398874989485}, {-1.0, 0.61803398874989485}, {1.0, 0.41421356237309505}, {-1.0, 0.41421356237309505}};
+/* Starts off a guess at which the equations are not defined or the Jacobian is singular, in units of the nominal values:
+ * multiples of the golden ratio or of the square root of 2, modulo 1, spread the unknowns evenly. Each start has its
+ * mirror image, and one in the reverse order, because unknowns that can be exchanged have solutions that can. */
+static const double parts[] = {0.61803398874989485, 0.41421356237309505};
+enum { STARTS = 8 };
 /* Solutions that differ by less, relative to their size, are the same. */
 static const double same_solution = 1e-6;
 
@@ -274,11 +274,13 @@ NewtonResult newton_solve(const NewtonSystem *system)
     return result;
 }
 
-/* Returns a number between 0.1 and 1.1 for each unknown: multiples of `part` modulo 1 are spread evenly. */
-static double spread(size_t i, double part)
+/* Returns the offset of unknown i of n in one of the starts, from 0.1 to 1.1 of its nominal value, of either sign. */
+static double offset(unsigned start, size_t i, size_t n)
 {
-    const double turns = (double)(i + 1) * part;
-    return 0.1 + turns - floor(turns);
+    const bool is_mirrored = start & 1, is_reversed = start & 2;
+    const double turns = (double)(is_reversed ? n - i : i + 1) * parts[start / 4];
+    const double size = 0.1 + turns - floor(turns);
+    return is_mirrored ? -size : size;
 }
 
 static bool is_same(double found, double other, double nominal)
@@ -306,28 +308,23 @@ static void put(const NewtonSystem *system, const double *values)
         *system->unknown(system->context, i) = values[i];
 }
 
-NewtonResult newton_solve_beside(const NewtonSystem *system)
+bool newton_solve_beside(const NewtonSystem *system)
 {
     const size_t n = system->size;
     double *start = malloc(2 * n * sizeof(double)), *kept = start + n;
     if (start == NULL)
-        return NEWTON_NO_MEMORY;
+        return false;
     keep_solution(system, start, true);
     size_t solved = 0;
-    NewtonResult result = NEWTON_SOLVED;
-    for (size_t k = 0; k < sizeof offsets / sizeof *offsets && result == NEWTON_SOLVED; ++k) {
+    bool alike = true;
+    for (unsigned k = 0; k < STARTS && alike; ++k) {
         for (size_t i = 0; i < n; ++i)
-            *system->unknown(system->context, i) =
-                start[i] + offsets[k].sign * spread(i, offsets[k].part) * system->nominal(system->context, i);
-        const NewtonResult found = newton_solve(system);
-        if (found == NEWTON_SOLVED)
-            result = keep_solution(system, kept, solved++ == 0) ? NEWTON_SOLVED : NEWTON_NOT_FINITE;
-        else if (found != NEWTON_NOT_FINITE)
-            result = NEWTON_NOT_FINITE;
+            *system->unknown(system->context, i) = start[i] + offset(k, i, n) * system->nominal(system->context, i);
+        if (newton_solve(system) == NEWTON_SOLVED)
+            alike = keep_solution(system, kept, solved++ == 0);
     }
-    if (solved < 2)
-        result = NEWTON_NOT_FINITE;
-    put(system, result == NEWTON_SOLVED ? kept : start);
+    alike = alike && solved > 1;
+    put(system, alike ? kept : start);
     free(start);
-    return result;
+    return alike;
 }

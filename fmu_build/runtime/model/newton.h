@@ -31,9 +31,16 @@ typedef struct {
 /* Solves for the unknowns, from their values as initial guesses; without a solution, the unknowns are unchanged. */
 NewtonResult newton_solve(const NewtonSystem *system);
 
+/* Returns whether other guesses may lead to a solution where these did not. */
+static inline bool newton_blames_guess(NewtonResult result)
+{
+    return result == NEWTON_NOT_FINITE || result == NEWTON_SINGULAR;
+}
+
 /* Solves from starts on all sides of a guess at which the equations are not defined, as 1/(a - b) with two guesses of
- * 0. All starts that lead to a solution must lead to the same one; otherwise NEWTON_NOT_FINITE. */
-NewtonResult newton_solve_beside(const NewtonSystem *system);
+ * 0, or determine no step, as (a - b)^3. At least two starts must lead to a solution, and all that do to the same one;
+ * otherwise returns false and leaves the unknowns unchanged. */
+bool newton_solve_beside(const NewtonSystem *system);
 
 enum { NEWTON_TEXT_SIZE = 768 };
 

@@ -226,3 +226,20 @@ def test_each_call_has_its_own_function(declarations: str, values: dict[str, flo
 def test_what_would_be_mistaken_is_refused(declarations: str, message: str, tmp_path: Path) -> None:
     """Each gives a wrong number without a word if it is let through."""
     assert "R.mo:" in PACKAGE.refusal(tmp_path, declarations, message)
+
+
+def test_functions_of_another_package_are_none_of_the_model(tmp_path: Path) -> None:
+    """The compiler reads the files beside a library; a model of the same name there declares a function q."""
+    (tmp_path / "Beside.mo").write_text(
+        "package Beside function f input Real x; output Real y; algorithm y := x^2; end f; "
+        "model Main replaceable function q = f; Real y = q(time); end Main; "
+        "model Use Main b(redeclare function q = f); Real y = b.y; end Use; "
+        "model T end T; model Law end Law; end Beside;",
+        "utf-8",
+    )
+    declarations = (
+        "model T Real y = time; end T; "
+        "model Main replaceable model Law = T; Law law; parameter Real q = 7; Real y = q*law.y; end Main; "
+        "model M Main m(redeclare model Law = T, q = 3); Real y = m.y; end M;"
+    )
+    assert PACKAGE.values(tmp_path, declarations, ["y"]) == {"y": 3.0}

@@ -78,6 +78,13 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:54: reinit() of single elements of an array is not supported; write reinit(x, {...}) for the",
     ),
+    "an end in a subscript of connect()": Case(
+        "connector O = output Real; connector I = input Real; model A O y[3] = {1, 2, 3}; end A; "
+        "model B I u[2]; end B; A a; B b;",
+        "connect(a.y[2:end], b.u);",
+        UnsupportedModelError,
+        "M.mo:4:3: this subscript in connect() is not supported; write numbers, a range of numbers",
+    ),
     "a capacitance of zero": Case(
         "parameter Real C = 0; Real v(start = 1, fixed = true), u(start = 2, fixed = true); Real i;",
         "i = C*(der(v) - der(u)); i = -v; der(u) = i - u;",

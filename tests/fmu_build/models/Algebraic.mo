@@ -143,11 +143,16 @@ package Algebraic "Algebraic loops, tearing, and models without states"
   model UndefinedAtZero "Loops that are not defined, or have no finite slope, where their unknowns are zero"
     Real x(start=0, fixed=true);
     Real plus, minus, current, z;
+    Real a, b, c, d;
   equation
     der(x) = 1;
     plus = 10 - 0.5*current;
     minus = -10 - 0.5*current;
     current = (20 + x)/(plus - minus) - plus/10;
     sqrt(z) + z = 2 + x;
+    1/(a - b) = 2;
+    a + b = 3 + x;
+    (c - d)^3 = 1;
+    c + d = 3 + x;
   end UndefinedAtZero;
 end Algebraic;

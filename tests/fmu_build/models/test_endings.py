@@ -76,6 +76,7 @@ def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
     ("model", "message"),
     [
         ("SingularLoop", "singular Jacobian: the equations do not determine `z`, `y`"),
+        ("EitherSign", "singular Jacobian: the equations do not determine `z`"),
         ("EitherSide", "the algebraic loop of `z` could not be solved: residual or Jacobian not finite"),
         ("NearlySingularLoop", "the algebraic loop of `z`, `y` could not be solved: singular Jacobian"),
         ("NoSolution", "the algebraic loop of `x` could not be solved: "),

@@ -82,6 +82,14 @@ package Failing "Models that build, and whose run must end with a message"
     z/4 = 1/z;
   end EitherSide;
 
+  model EitherSign "Two solutions on both sides of a guess at which the Jacobian is singular"
+    Real x(start=1, fixed=true);
+    Real z;
+  equation
+    der(x) = -x;
+    z^2 = 4;
+  end EitherSign;
+
   model NoCapacitance "Where C is 0, nothing determines der(v)"
     parameter Real C = 1;
     Real v(start=1, fixed=true), u(start=2, fixed=true);

@@ -108,7 +108,13 @@ def through_function(t: Array, k: float) -> Values:
 def undefined_at_zero(t: Array) -> Values:
     """The supply is 20, so that 0.95 current = t/20; z is the square of r with r + r^2 = 2 + t."""
     current = t / 19
-    return {"current": current, "plus": 10 - current / 2, "z": (np.sqrt(2.25 + t) - 0.5) ** 2}
+    return {
+        "current": current,
+        "plus": 10 - current / 2,
+        "z": (np.sqrt(2.25 + t) - 0.5) ** 2,
+        "a": 1.75 + t / 2,
+        "c": 2 + t / 2,
+    }
 
 
 CASES = (

@@ -201,7 +201,7 @@ def test_noise_alone_points_at_nothing(fmus_by_name: Path) -> None:
 def test_a_sound_fit_is_doubted_once_in_a_hundred(
     fmus_by_name: Path, friction: float, least: float, most: float
 ) -> None:
-    """As often for dry friction alone: where noise with the sign of friction explains as much in under 1 %."""
+    """As often for dry friction alone: where noise of its sign explains as much in less than 1 %."""
     random = np.random.default_rng(4)
     records = [
         dataclasses.replace(one, theta=one.theta + NOISE * random.standard_normal(len(one.theta)))
