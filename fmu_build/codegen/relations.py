@@ -186,6 +186,24 @@ def _is_step_crossing(root: Expression) -> bool:
     return argument.operator == "Mul" and argument.arguments[0] == ex.number(math.pi)
 
 
+def _no_zero_side(source: str) -> str:
+    """Say what is unsupported where rumoca does not know on which side of zero a relation holds."""
+    if source.startswith("assert"):
+        return (
+            "an assert() in a function whose arguments change during the simulation is not supported; "
+            "put it into the model"
+        )
+    if source.isidentifier():
+        return (
+            f"{source} depends on a variable of the function that an if gives a value in some cases only, "
+            "which is not supported; give it one before the if"
+        )
+    return (
+        "an equality or inequality (==, <>) of values that relations decide is not supported; "
+        "introduce a variable for each value"
+    )
+
+
 def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
     events = model.solve["events"]
     domain: str = events["root_zero_domains"][number]
@@ -193,13 +211,7 @@ def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):
         span = events["root_conditions"]["program_spans"][number]
-        what = "an equality of values that relations decide is not supported; introduce a variable for each"
-        if model.text(span).startswith("assert"):
-            what = (
-                "an assert() in a function whose arguments change during the simulation is not supported; "
-                "put it into the model"
-            )
-        raise model.unsupported(what, span)
+        raise model.unsupported(_no_zero_side(model.text(span)), span)
     return domain == "NonPositive"
 
 

@@ -297,6 +297,12 @@ MEANINGS = (
         (r"\([\w\s,.\[\]]*\[[^()]*\)\s*:?=(?!=)",),
     ),
     Meaning(
+        r"unsupported runtime operator `(?P<name>div|mod|rem)`",
+        UnsupportedModelError,
+        "{name}() with a divisor that changes is not supported; write floor(x/y) and what follows from it",
+        (r"(?<![\w.])NAME\s*(?=\()",),
+    ),
+    Meaning(
         r"unsupported runtime operator `(?P<name>\w+)`",
         UnsupportedModelError,
         "{name}() is not supported",

@@ -65,7 +65,32 @@ def test_the_number_may_be_a_parameter_that_a_run_sets(tmp_path: Path) -> None:
     ],
 )
 def test_an_equality_of_what_relations_decide_is_named(tmp_path: Path, equations: str) -> None:
-    PACKAGE.refusal(tmp_path, equations, r"R\.mo:\d+:\d+: an equality of values that relations decide")
+    message = r"R\.mo:\d+:\d+: an equality or inequality \(==, <>\) of values that relations decide"
+    PACKAGE.refusal(tmp_path, equations, message)
+
+
+def test_a_variable_that_a_function_sets_in_some_cases_only_is_named(tmp_path: Path) -> None:
+    """The values of such a variable at the start of the function are not defined (section 12.4.4)."""
+    part = PackageUnderTest("""
+package R
+  function part
+    input Real x;
+    output Real y;
+    output Real z;
+  algorithm
+    if x > 1 then y := x; end if;
+    z := y + 1;
+  end part;
+  model M
+    Real a, b;
+  equation
+    (a, b) = part(time + {});
+  end M;
+end R;
+""")
+    part.refusal(
+        tmp_path, "0.5", r"R\.mo:9:5: z depends on a variable of the function that an if gives a value"
+    )
 
 
 def test_an_assertion_in_a_function_of_something_that_changes_is_named(tmp_path: Path) -> None:
