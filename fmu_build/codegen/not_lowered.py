@@ -103,7 +103,7 @@ def _partly_sampled_clauses(model: CompiledModel, _: re.Match[str]) -> Obstacles
 def _dependent_equations(_: CompiledModel, message: re.Match[str]) -> Obstacles:
     yield (
         f"only {message[1]} of {message[2]} equations determine an unknown of their own: some repeat or "
-        "contradict others, or the derivative of an input is needed",
+        "contradict others, or the derivative of an input or of a function is needed",
         None,
     )
 

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.support.errors import BuildError
+
+
+def _any_of(names: Iterable[str]) -> str:
+    """A pattern for any of the names."""
+    return f"(?:{'|'.join(map(re.escape, names)) or '(?!)'})"
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,9 +20,9 @@ class Meaning:
     """The explanation of a message.
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
-    the source, most likely first, in which NAME stands for the group ``name`` and RECORD for the simple name
-    of any record. `called` is set if the explanation begins with the construct itself; it replaces the
-    construct if several different ones match.
+    the source, most likely first, in which NAME stands for the group ``name``, RECORD for the simple name of
+    any record and FUNCTION for that of any function of arrays. `called` is set if the explanation begins with
+    the construct itself; it replaces the construct if several different ones match.
     """
 
     message: str
@@ -32,9 +37,14 @@ class Meaning:
         """Return the constructs in the source that may have caused the message."""
         match = re.search(self.message, message)
         name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
-        record = f"(?:{'|'.join(map(re.escape, source.records)) or '(?!)'})"
+        stands_for = {
+            "NAME": name,
+            "RECORD": _any_of(source.records),
+            "FUNCTION": _any_of(source.functions_of_arrays),
+        }
+        placeholder = re.compile("|".join(stands_for))
         return source.find(
-            [pattern.replace("NAME", name).replace("RECORD", record) for pattern in self.constructs]
+            [placeholder.sub(lambda found: stands_for[found[0]], one) for one in self.constructs]
         )
 
     def text(self, message: str, found: Sequence[Construct]) -> str:

@@ -15,6 +15,11 @@ _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
 
 _UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
 
+_SUBSCRIPT_IN_CONNECT = (
+    "this subscript in connect() is not supported; write numbers, a range of numbers, or one connect() for "
+    "each element"
+)
+
 MEANINGS = (
     Meaning(
         r"`derivative expression`",
@@ -249,11 +254,17 @@ MEANINGS = (
         (r"\[[^\[\]]*\bend\b[^\[\]]*\]",),
     ),
     Meaning(
+        r"incompatible connector types in connection: .*\(dims: ",
+        UnsupportedModelError,
+        _SUBSCRIPT_IN_CONNECT,
+        (r"\bconnect\s*\([^;]*\[[^\];]*[\[(][^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(
         r"structural parameter `connection (?:range|subscript)`|"
         r"cannot evaluate connection (?:range )?subscript",
         UnsupportedModelError,
-        "this subscript in connect() is not supported; write numbers, a range of numbers, or one connect() "
-        "for each element, in a loop over numbers",
+        _SUBSCRIPT_IN_CONNECT,
         (r"\bconnect\s*\([^;]*\[[^;]*(?=;)",),
     ),
     Meaning(
@@ -433,6 +444,22 @@ MEANINGS = (
         "{all}, as the compiler counts them; it miscounts equations of slices of arrays of components, and "
         "modifiers of the form each a(k = {{...}}): write the elements one by one",
         (r"\w\s*\[[^\[\]]*:[^\[\]]*\]\s*\.\s*\w+", r"\beach\s+\w+\s*\([^()]*=\s*\{"),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts connections with such subscripts: write numbers, a "
+        "rising range of numbers, or one connect() for each element",
+        (r"\bconnect\s*\([^;]*\[[^\];]*(?:\[|:\s*-\s*\d)[^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts some parameters that a function of an array gives, "
+        "such as this one: write its value without the function",
+        (r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
         only_there=True,
     ),
     Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),

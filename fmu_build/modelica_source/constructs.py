@@ -13,6 +13,7 @@ from fmu_build.modelica_source.modifiers import closing
 from fmu_build.modelica_source.places import Place, place_at
 from fmu_build.modelica_source.text import blanked, declarations
 
+_ARRAY_INPUT = re.compile(r"\binput\s+[\w.]+\s*(?:\w+\s*)?\[")
 _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
 
@@ -85,6 +86,15 @@ class ModelText:
         """The simple names of the classes that are records."""
         return frozenset(
             name.rpartition(".")[2] for name, kind in self._kinds.items() if kind.endswith("record")
+        )
+
+    @cached_property
+    def functions_of_arrays(self) -> frozenset[str]:
+        """The simple names of the functions with an array among their inputs."""
+        return frozenset(
+            name.rpartition(".")[2]
+            for name, kind in self._kinds.items()
+            if kind.endswith("function") and _ARRAY_INPUT.search(self._classes[name])
         )
 
     def classes(self) -> list[str]:

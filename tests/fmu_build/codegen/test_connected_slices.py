@@ -62,6 +62,7 @@ def test_vectors_are_refused(declarations: str, connections: str, tmp_path: Path
     [
         ("", "connect(a.y[1:3], b.u);", (1.0, 2.0, 3.0)),
         ("", "connect(a.y[2:3], b.u[1:2]); b.u[3] = a.y[1];", (2.0, 3.0, 1.0)),
+        ("", "connect(a.y[3:-1:1], b.u);", (3.0, 2.0, 1.0)),
         ("", "for i in 1:3 loop connect(a.y[4 - i], b.u[i]); end for;", (3.0, 2.0, 1.0)),
         (
             "",

@@ -78,6 +78,34 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:54: reinit() of single elements of an array is not supported; write reinit(x, {...}) for the",
     ),
+    "a parameter that a function of an array gives": Case(
+        "function f input Real x[2]; output Real y; algorithm y := x[1] + x[2]; end f; "
+        "parameter Real v[2] = {1, 2}; parameter Real k = f(v); Real s(start = 1, fixed = true);",
+        "der(s) = -k;",
+        UnsupportedModelError,
+        "M.mo:2:111: unbalanced model: 2 equations, 1 unknowns, as the compiler counts them; it miscounts",
+    ),
+    "elements of a constant as subscripts in connect()": Case(
+        "connector O = output Real; connector I = input Real; model S O y = 1; end S; "
+        "model B I u[3]; end B; S s[3]; B b; constant Integer p[3] = {3, 1, 2};",
+        "for i in 1:3 loop connect(s[p[i]].y, b.u[i]); end for;",
+        UnsupportedModelError,
+        "M.mo:4:21: unbalanced model: 3 equations, 6 unknowns, as the compiler counts them; it miscounts",
+    ),
+    "the same of a connector": Case(
+        "connector O = output Real; connector I = input Real; model A O y[3] = {1, 2, 3}; end A; "
+        "model B I u[3]; end B; A a; B b; constant Integer p[3] = {3, 1, 2};",
+        "for i in 1:3 loop connect(a.y[p[i]], b.u[i]); end for;",
+        UnsupportedModelError,
+        "M.mo:4:21: this subscript in connect() is not supported; write numbers, a range of numbers",
+    ),
+    "a falling range in connect()": Case(
+        "connector O = output Real; connector I = input Real; model S O y = 1; end S; "
+        "model B I u[3]; end B; S s[3]; B b;",
+        "connect(s.y, b.u[3:-1:1]);",
+        UnsupportedModelError,
+        "M.mo:4:3: unbalanced model: ",
+    ),
     "div() by a variable": Case(
         "Real x(start = 1, fixed = true), y(start = 0.4, fixed = true), a;",
         "der(x) = 1; der(y) = 0.3; a = div(x, y);",
@@ -399,7 +427,7 @@ _CASES = {
         "w = 2*u; y = der(w);",
         UnsupportedModelError,
         "M.mo: only 1 of 2 equations determine an unknown of their own: some repeat or contradict others, or "
-        "the derivative of an input is needed (model M)",
+        "the derivative of an input or of a function is needed (model M)",
     ),
     "maximum that varies": Case(
         "Real x(start = 0, fixed = true, max = y); Real y = time;",
