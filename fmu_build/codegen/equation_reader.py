@@ -127,7 +127,7 @@ class _Reader:
             if variable["role"].startswith("discrete") and not own <= slots:
                 raise self.model.unsupported(
                     f"the equation of the discrete array {variable['name']} is not supported; "
-                    "write one for each element",
+                    "write one for each element, without a loop",
                     variable["declaration"]["span"],
                 )
 

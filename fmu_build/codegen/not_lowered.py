@@ -112,6 +112,14 @@ def _matrix_powers(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield "powers of matrices are not supported; write A*A for A^2", None
 
 
+def _discrete_arrays_in_loops(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield (
+        "a for-loop over the elements of a discrete array outside a when-clause is not supported; write one "
+        "equation for each element",
+        None,
+    )
+
+
 def _absent_elements(_: CompiledModel, message: re.Match[str]) -> Obstacles:
     yield (
         f"the index {message[1]} is outside of 1 to {message[2]}, if only in a branch that is never taken; "
@@ -178,6 +186,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("coupled discrete Real", _discrete_loops),
     ("clock activation owners", _partly_sampled_clauses),
     ("matrix power", _matrix_powers),
+    ("structured B.1c body", _discrete_arrays_in_loops),
     (r"index (-?\d+) is outside an axis of extent (\d+)", _absent_elements),
     ("one subscript per array dimension", _nested_arrays),
     ("definition of `([^`]+)` reads `([^`]+)`, which is causally reachable", _loops_over_samples),

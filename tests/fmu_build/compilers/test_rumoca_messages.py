@@ -106,6 +106,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:3: unbalanced model: ",
     ),
+    "a loop over a discrete array": Case(
+        "Real x(start = 0, fixed = true); Integer b[3];",
+        "der(x) = 1; for i in 1:3 loop b[i] = integer(i*time); end for;",
+        UnsupportedModelError,
+        "M.mo: a for-loop over the elements of a discrete array outside a when-clause is not supported",
+    ),
     "div() by a variable": Case(
         "Real x(start = 1, fixed = true), y(start = 0.4, fixed = true), a;",
         "der(x) = 1; der(y) = 0.3; a = div(x, y);",
