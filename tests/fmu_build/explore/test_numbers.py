@@ -17,6 +17,8 @@ from tests.fmu_build.random_joysticks import random_joysticks
 pytestmark = pytest.mark.xdist_group("browser")
 #: The C libraries of the module and of the FMU round `pow` and the like differently.
 _CLOSE = {"rtol": 1e-9, "atol": 1e-9}
+#: Of one page: since its version 156.0.8078.108, Chromium saves ten files of a page and then no more.
+_DOWNLOADS = 8
 
 Live = Callable[..., LivePage]
 
@@ -45,14 +47,18 @@ def test_random_joysticks_have_the_bits_of_the_same_module_in_wasmtime(
     model: str, pages: Pages, live: Live
 ) -> None:
     """So no floating-point operation of the browser's differs from those of other hosts."""
-    page = live(model, "#T:table=&:step=0.005")
     with Fmu(pages.fmu(model), sandbox=True) as fmu:
-        for case in random_joysticks(fmu.description, 50, seed=23):
+        for number, case in enumerate(random_joysticks(fmu.description, 50, seed=23)):
             values = [f"{name}={float(value)!r}" for name, value in case.items()]
-            address = "&".join([*values, "T:table=", ":step=0.005"])
-            with page.rerun():
-                page.page.evaluate("address => { location.hash = address; }", address)
+            address = "#" + "&".join([*values, "T:table=", ":step=0.005"])
+            if number % _DOWNLOADS == 0:
+                page = live(model, address)
+            else:
+                with page.rerun():
+                    page.page.evaluate("address => { location.hash = address; }", address)
             shown = page.csv()
+            if number % _DOWNLOADS == _DOWNLOADS - 1:
+                page.close()
             expected = fmu.run(0.005 * np.arange(301), parameters=case, outputs=list(shown.columns))
             assert np.ptp(expected["theta"]) > 0.01
             np.testing.assert_array_equal(shown.to_numpy(), expected.to_numpy())
