@@ -9,6 +9,9 @@ from dataclasses import dataclass
 from fmu_build.modelica_source.constructs import Construct, ModelText
 from fmu_build.support.errors import BuildError
 
+QUALIFIED = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
+"""The last part of a qualified name, as written in the source."""
+
 
 def _any_of(names: Iterable[str]) -> str:
     """A pattern for any of the names."""

@@ -4,23 +4,15 @@ from __future__ import annotations
 
 import re
 
-from fmu_build.compilers.rumoca_meaning import Meaning
+from fmu_build.compilers.rumoca_connections import CONNECTIONS_AND_COUNTS
+from fmu_build.compilers.rumoca_meaning import QUALIFIED, Meaning
 from fmu_build.modelica_source.constructs import ModelText
 from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
-_NAME = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"
-"""The last part of a qualified name, as written in the source."""
-
 _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
 
-_UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
-
-_SUBSCRIPT_IN_CONNECT = (
-    "this subscript in connect() is not supported; write numbers, a range of numbers, or one connect() for "
-    "each element"
-)
-
 MEANINGS = (
+    *CONNECTIONS_AND_COUNTS,
     Meaning(
         r"`derivative expression`",
         UnsupportedModelError,
@@ -43,7 +35,7 @@ MEANINGS = (
         (r"\bNAME\s*(?=\()",),
     ),
     Meaning(
-        rf"reference to non-constant variable '{_NAME}' from a lexically nested class",
+        rf"reference to non-constant variable '{QUALIFIED}' from a lexically nested class",
         UnsupportedModelError,
         "`{name}` is used in a class that is declared in a model: it cannot be a variable of that model, and "
         "a model that extends a class of its own is not supported; declare the class beside the model",
@@ -56,14 +48,14 @@ MEANINGS = (
         (r"\breturn\b",),
     ),
     Meaning(
-        rf"`function (?:loop reduction|statement)`: `{_NAME}`",
+        rf"`function (?:loop reduction|statement)`: `{QUALIFIED}`",
         UnsupportedModelError,
         "the function {name} has a statement that is not supported, such as a break, or a while loop whose "
         "condition depends on what it computes",
         (r"\bfunction\s+NAME\b",),
     ),
     Meaning(
-        rf"sequential read of `{_NAME}`",
+        rf"sequential read of `{QUALIFIED}`",
         UnsupportedModelError,
         "an algorithm section that uses the value of `{name}` and then assigns it again, or assigns other "
         "variables too, is not supported; use a variable for the first value, and a section for each",
@@ -142,14 +134,14 @@ MEANINGS = (
         "change(...)",
     ),
     Meaning(
-        rf"`pre expression`: pre\(`{_NAME}`",
+        rf"`pre expression`: pre\(`{QUALIFIED}`",
         ModelicaError,
         "pre() of the continuous variable {name} is allowed only inside a when-clause",
         (r"\bpre\s*\(\s*(?:[\w.]+\.)?NAME\s*(?:\[[^\[\]]*\])?\s*\)",),
         "pre(...)",
     ),
     Meaning(
-        rf"reinit\(\) can only be applied to state variables: {_NAME}",
+        rf"reinit\(\) can only be applied to state variables: {QUALIFIED}",
         UnsupportedModelError,
         "reinit() of single elements of an array is not supported; write reinit({name}, {{...}}) for the "
         "whole array or, in a for-loop, declare an array of a model with the when-clause",
@@ -157,14 +149,14 @@ MEANINGS = (
         only_there=True,
     ),
     Meaning(
-        rf"reinit\(\) can only be applied to state variables: {_NAME}",
+        rf"reinit\(\) can only be applied to state variables: {QUALIFIED}",
         ModelicaError,
         "reinit() can be applied to states only: {name} is not a state",
         (r"\breinit\s*\((?=\s*(?:[\w.]+\.)?NAME\s*,)",),
         "reinit(...)",
     ),
     Meaning(
-        rf"`{_NAME}` has more than one semantic definition owner",
+        rf"`{QUALIFIED}` has more than one semantic definition owner",
         ModelicaError,
         "the discrete variable {name} is determined more than once, as by two when-clauses",
         (r"(?<![\w.])NAME\s*:?=(?!=)",),
@@ -175,20 +167,20 @@ MEANINGS = (
         "a discrete variable is assigned in two when-clauses",
     ),
     Meaning(
-        rf"`{_NAME}` participates in an internal current-value dependency cycle",
+        rf"`{QUALIFIED}` participates in an internal current-value dependency cycle",
         UnsupportedModelError,
         "the when-clause that sets `{name}` reads the value that it sets, which is not supported; "
         "write pre({name})",
         (r"(?<![\w.])NAME\s*=(?!=)",),
     ),
     Meaning(
-        rf"`{_NAME}` participates in a current-value dependency cycle",
+        rf"`{QUALIFIED}` participates in a current-value dependency cycle",
         ModelicaError,
         "the discrete variable `{name}` depends on itself at the same instant",
         (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?:?=",),
     ),
     Meaning(
-        rf"redeclaration of `{_NAME}` violates constrainedby: "
+        rf"redeclaration of `{QUALIFIED}` violates constrainedby: "
         r"`(?P<new>[^`]+)` is not a subtype of `(?P<old>[^`]+)`",
         UnsupportedModelError,
         "{new} cannot replace {old}: supported are classes that extend the one that they replace",
@@ -200,7 +192,7 @@ MEANINGS = (
         "the branches of an if-equation have different numbers of equations",
     ),
     Meaning(
-        rf"`{_NAME}` cannot be evaluated: division by zero",
+        rf"`{QUALIFIED}` cannot be evaluated: division by zero",
         ModelicaError,
         "the value of {name} is divided by zero",
         (r"(?<![\w.])NAME\s*(?=[=(])",),
@@ -212,7 +204,7 @@ MEANINGS = (
         (r"\((?=\s*,)",),
     ),
     Meaning(
-        rf"`when assignment`: `{_NAME}` is not a discrete coordinate",
+        rf"`when assignment`: `{QUALIFIED}` is not a discrete coordinate",
         UnsupportedModelError,
         "a when-clause that sets single elements of the array {name} is not supported; set the whole array, "
         "or declare an array of a model with the clause",
@@ -235,7 +227,7 @@ MEANINGS = (
         "reinit(...)",
     ),
     Meaning(
-        rf"`multi-output equation`: `{_NAME}` returns (?P<all>\d+) values but the receiving tuple has "
+        rf"`multi-output equation`: `{QUALIFIED}` returns (?P<all>\d+) values but the receiving tuple has "
         r"(?P<few>\d+)",
         UnsupportedModelError,
         "{few} of the {all} results of {name} are taken, which is not supported; assign each to a variable",
@@ -252,27 +244,6 @@ MEANINGS = (
         UnsupportedModelError,
         "end is not supported in this subscript; write the size of the array, size(v, 1)",
         (r"\[[^\[\]]*\bend\b[^\[\]]*\]",),
-    ),
-    Meaning(
-        r"incompatible connector types in connection: .*\(dims: ",
-        UnsupportedModelError,
-        _SUBSCRIPT_IN_CONNECT,
-        (r"\bconnect\s*\([^;]*\[[^\];]*[\[(][^;]*(?=;)",),
-        only_there=True,
-    ),
-    Meaning(
-        r"structural parameter `connection (?:range|subscript)`|"
-        r"cannot evaluate connection (?:range )?subscript",
-        UnsupportedModelError,
-        _SUBSCRIPT_IN_CONNECT,
-        (r"\bconnect\s*\([^;]*\[[^;]*(?=;)",),
-    ),
-    Meaning(
-        r"expandable connector .* requires unsupported member augmentation",
-        UnsupportedModelError,
-        "connections give this expandable connector members that it does not declare, which is not supported "
-        "here; declare them in a connector that extends it",
-        (r"\bexpandable\s+connector\s+\w+",),
     ),
     Meaning(
         r"unresolved clock schedule",
@@ -411,63 +382,6 @@ MEANINGS = (
         "the base class of a function is given a value for {name}, which is no input; this is not supported",
         (r"\bextends\s+[\w.]+\s*\((?=[^;]*\bNAME\s*=)",),
         only_there=True,
-    ),
-    Meaning(
-        r"unbalanced model",
-        UnsupportedModelError,
-        "outer variables that are neither parameters nor components are not supported; connect them, or "
-        "declare them in a component that is inner",
-        (r"\bouter\s+(?:(?:input|output)\s+)?(?:Real|(?:[\w.]+\.)?SI\.\w+)\s+\w+",),
-        only_there=True,
-    ),
-    Meaning(
-        r"unbalanced model",
-        UnsupportedModelError,
-        "operator records are not supported",
-        (r"\boperator\s+record\b",),
-        only_there=True,
-    ),
-    Meaning(
-        rf"(?P<all>{_UNBALANCED})",
-        UnsupportedModelError,
-        "{all}, as the compiler counts them; it miscounts if-expressions and if-equations of records such as "
-        "this one: write them for each member",
-        (
-            r"(?<![\w.])(?:\w+\.)*RECORD\s+(?=(?:\w+\s*,\s*)*(\w+)\b[^;]*;[\s\S]{0,4000}?"
-            r"(?:(?<![\w.])\1\s*=\s*if\b|\b(?:then|else)\s+\1\s*=(?!=)))",
-        ),
-        only_there=True,
-    ),
-    Meaning(
-        rf"(?P<all>{_UNBALANCED})",
-        UnsupportedModelError,
-        "{all}, as the compiler counts them; it miscounts equations of slices of arrays of components, and "
-        "modifiers of the form each a(k = {{...}}): write the elements one by one",
-        (r"\w\s*\[[^\[\]]*:[^\[\]]*\]\s*\.\s*\w+", r"\beach\s+\w+\s*\([^()]*=\s*\{"),
-        only_there=True,
-    ),
-    Meaning(
-        rf"(?P<all>{_UNBALANCED})",
-        UnsupportedModelError,
-        "{all}, as the compiler counts them; it miscounts connections with such subscripts: write numbers, a "
-        "rising range of numbers, or one connect() for each element",
-        (r"\bconnect\s*\([^;]*\[[^\];]*(?:\[|:\s*-\s*\d)[^;]*(?=;)",),
-        only_there=True,
-    ),
-    Meaning(
-        rf"(?P<all>{_UNBALANCED})",
-        UnsupportedModelError,
-        "{all}, as the compiler counts them; it miscounts some parameters that a function of an array gives, "
-        "such as this one: write its value without the function",
-        (r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
-        only_there=True,
-    ),
-    Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
-    Meaning(
-        rf"(?P<all>connector '{_NAME}' is unbalanced: .*)",
-        ModelicaError,
-        "{all}",
-        (r"\bconnector\s+NAME\b",),
     ),
 )
 

@@ -52,8 +52,8 @@ class CInterface:
 
     def __post_init__(self) -> None:
         names = dict.fromkeys(stored.name for stored in self.types.values())
-        values = [f"fmi{self.version}{verb}{name}" for verb in ("Set", "Get") for name in names]
-        object.__setattr__(self, "functions", (*self.fixed, *values))
+        accessors = [f"fmi{self.version}{verb}{name}" for verb in ("Set", "Get") for name in names]
+        object.__setattr__(self, "functions", (*self.fixed, *accessors))
 
     def place(self, verb: str, stored: StoredType) -> int:
         """Index in `functions` of the setter (``Set``) or getter (``Get``)."""

@@ -1,0 +1,94 @@
+"""What rumoca's messages about connections, and about its count of equations and unknowns, mean."""
+
+from __future__ import annotations
+
+from fmu_build.compilers.rumoca_meaning import QUALIFIED, Meaning
+from fmu_build.support.errors import ModelicaError, UnsupportedModelError
+
+_UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
+
+_SUBSCRIPT_IN_CONNECT = (
+    "this subscript in connect() is not supported; write numbers, a range of numbers, or one connect() for "
+    "each element"
+)
+
+CONNECTIONS_AND_COUNTS = (
+    Meaning(
+        r"incompatible connector types in connection: .*\(dims: ",
+        UnsupportedModelError,
+        _SUBSCRIPT_IN_CONNECT,
+        (r"\bconnect\s*\([^;]*\[[^\];]*[\[(][^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(
+        r"structural parameter `connection (?:range|subscript)`|"
+        r"cannot evaluate connection (?:range )?subscript",
+        UnsupportedModelError,
+        _SUBSCRIPT_IN_CONNECT,
+        (r"\bconnect\s*\([^;]*\[[^;]*(?=;)",),
+    ),
+    Meaning(
+        r"expandable connector .* requires unsupported member augmentation",
+        UnsupportedModelError,
+        "connections give this expandable connector members that it does not declare, which is not supported "
+        "here; declare them in a connector that extends it",
+        (r"\bexpandable\s+connector\s+\w+",),
+    ),
+    Meaning(
+        r"unbalanced model",
+        UnsupportedModelError,
+        "outer variables that are neither parameters nor components are not supported; connect them, or "
+        "declare them in a component that is inner",
+        (r"\bouter\s+(?:(?:input|output)\s+)?(?:Real|(?:[\w.]+\.)?SI\.\w+)\s+\w+",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unbalanced model",
+        UnsupportedModelError,
+        "operator records are not supported",
+        (r"\boperator\s+record\b",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts if-expressions and if-equations of records such as "
+        "this one: write them for each member",
+        (
+            r"(?<![\w.])(?:\w+\.)*RECORD\s+(?=(?:\w+\s*,\s*)*(\w+)\b[^;]*;[\s\S]{0,4000}?"
+            r"(?:(?<![\w.])\1\s*=\s*if\b|\b(?:then|else)\s+\1\s*=(?!=)))",
+        ),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations of slices of arrays of components, and "
+        "modifiers of the form each a(k = {{...}}): write the elements one by one",
+        (r"\w\s*\[[^\[\]]*:[^\[\]]*\]\s*\.\s*\w+", r"\beach\s+\w+\s*\([^()]*=\s*\{"),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts connections with such subscripts: write numbers, a "
+        "rising range of numbers, or one connect() for each element",
+        (r"\bconnect\s*\([^;]*\[[^\];]*(?:\[|:\s*-\s*\d)[^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts some parameters that a function of an array gives, "
+        "such as this one: write its value without the function",
+        (r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
+    Meaning(
+        rf"(?P<all>connector '{QUALIFIED}' is unbalanced: .*)",
+        ModelicaError,
+        "{all}",
+        (r"\bconnector\s+NAME\b",),
+    ),
+)
