@@ -19,8 +19,8 @@ HERE = Path(__file__).parent
 MODELS = HERE / "models"
 # What is tested without the rest of the runtime.
 UNITS = (
-    *("model/linear.c", "model/newton.c", "model/newton_explain.c", "model/block.c", "instant/actions.c"),
-    *("integration/integrator.c", "integration/location.c"),
+    *("model/linear.c", "model/newton.c", "model/newton_explain.c", "model/newton_starts.c", "model/block.c"),
+    *("instant/actions.c", "integration/integrator.c", "integration/location.c"),
 )
 TOKEN = "{00000000-0000-0000-0000-000000000001}"
 
