@@ -139,7 +139,7 @@ def _reinitialized_dependents(_: CompiledModel, __: re.Match[str]) -> Obstacles:
 def _vanishing_derivatives(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield (
         "the factor of a der(...) is zero, or not finite, with the values of its parameters: a variable "
-        "whose capacitance or inertia is zero is no state; leave that component out",
+        "whose capacitance or inertia is zero is not a state; remove that component",
         None,
     )
 

@@ -281,7 +281,7 @@ MEANINGS = (
     Meaning(
         r"unsupported runtime operator `(?P<name>div|mod|rem)`",
         UnsupportedModelError,
-        "{name}() with a divisor that changes is not supported; write floor(x/y) and what follows from it",
+        "{name}() with a divisor that changes is not supported; express it by floor(x/y)",
         (r"(?<![\w.])NAME\s*(?=\()",),
     ),
     Meaning(

@@ -89,7 +89,7 @@ package R
 end R;
 """)
     part.refusal(
-        tmp_path, "0.5", r"R\.mo:9:5: z depends on a variable of the function that an if gives a value"
+        tmp_path, "0.5", r"R\.mo:9:5: z depends on a variable of the function that is set in some branches"
     )
 
 

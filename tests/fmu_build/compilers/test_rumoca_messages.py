@@ -116,7 +116,7 @@ _CASES = {
         "Real x(start = 1, fixed = true), y(start = 0.4, fixed = true), a;",
         "der(x) = 1; der(y) = 0.3; a = div(x, y);",
         UnsupportedModelError,
-        "M.mo:4:33: div() with a divisor that changes is not supported; write floor(x/y)",
+        "M.mo:4:33: div() with a divisor that changes is not supported; express it by floor(x/y)",
     ),
     "an end in a subscript of connect()": Case(
         "connector O = output Real; connector I = input Real; model A O y[3] = {1, 2, 3}; end A; "
