@@ -195,8 +195,8 @@ def _no_zero_side(source: str) -> str:
         )
     if source.isidentifier():
         return (
-            f"{source} depends on a variable of the function that is set in some branches of an if only, which "
-            "is not supported; give it a value before the if"
+            f"{source} depends on a variable of the function that is set in some branches of an if only, "
+            "which is not supported; give it a value before the if"
         )
     return (
         "an equality or inequality (==, <>) of values that relations decide is not supported; "
