@@ -1,9 +1,9 @@
 """How long the live page takes from a moved slider to its curves: ``python -m benchmarks.live_page``.
 
 In a headless Chromium without a graphics card. A move is an ``input`` event at a random phase of the screen's
-60 Hz. It ends when the main thread has drawn, arranged and painted the picture with its curves; what follows,
-on the way to a screen, no script can see. Its parts: until the result is there and a picture is asked for;
-until the browser begins one, which no page can shorten; and the picture itself. The page's runs are timed
+60 Hz. It ends when the main thread has arranged and painted the picture with its curves; what follows, on the
+way to a screen, no script can see. Its parts: until the curves are on their canvases; until the browser begins
+the next picture, which no page can shorten; and the picture itself. The page's runs are timed
 beside those of the same FMU and the same motion by the compiled loop of `pyjoystick`, in turns: 1501 rows of
 the variables that the page shows.
 """
@@ -30,7 +30,7 @@ from pyjoystick.reports import held_fmu, joystick_page
 from pyjoystick.support import TextTable
 
 _MOVES: Final = 100
-#: Moves the slider of damping.C; returns [result, waiting, picture] of each move in milliseconds.
+#: Moves the slider of damping.C; returns [drawn, waiting, picture] of each move in milliseconds.
 _MOVE_ALL: Final = """async moves => {
   const slider = document.querySelector('[data-name="damping.C"] input[type=range]');
   const runs = () => Number(document.body.dataset.runs);
@@ -44,13 +44,13 @@ _MOVE_ALL: Final = """async moves => {
       observer.disconnect();
       resolve();
     }).observe(document.body, { attributes: true }));
-    const known = performance.now();
-    const frame = await new Promise(requestAnimationFrame); // asked for after the page did: it has drawn
+    const drawn = performance.now(); // observers are called when the page has dealt with the result
+    const frame = await new Promise(requestAnimationFrame);
     const { port1, port2 } = new MessageChannel();
     port2.postMessage(null); // comes after the picture
     await new Promise(resolve => port1.onmessage = resolve);
-    const picture = Math.max(known, frame);
-    milliseconds.push([known - begun, picture - known, performance.now() - picture]);
+    const picture = Math.max(drawn, frame);
+    milliseconds.push([drawn - begun, picture - drawn, performance.now() - picture]);
   }
   return milliseconds;
 }"""
@@ -87,13 +87,13 @@ def _report(page: Page, fmu: Path, rounds: int) -> str:
             in_page.append(_run_in_page(page))
             native.append(_native(one))
             ratios.append(in_page[-1] / native[-1])
-    result, waiting, picture = np.array(moves).T
+    drawn, waiting, picture = np.array(moves).T
     rows = [
-        _row("slider to result", result),
+        _row("slider to drawn", drawn),
         _row("waiting for the next frame", waiting),
-        _row("drawing", picture),
-        _row("slider to drawn", result + waiting + picture),
-        _row("the same without waiting", result + picture),
+        _row("painting", picture),
+        _row("slider to painted", drawn + waiting + picture),
+        _row("the same without waiting", drawn + picture),
         ["a run in the page (ms)", f"{statistics.median(in_page):.2f}", ""],
         ["a run by the compiled loop (ms)", f"{statistics.median(native):.2f}", ""],
         ["their ratio, median of the rounds", f"{statistics.median(ratios):.2f}", ""],

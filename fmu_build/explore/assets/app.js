@@ -121,7 +121,7 @@ class App {
     if (result.rows > 0) this.show(new Run(request, result));
     document.body.classList.toggle("stale", result.rows === 0);
     this.explain(result, request);
-    this.draw();
+    this.drawResult();
   }
 
   show(run, time = this.playback.time) {
@@ -166,6 +166,21 @@ class App {
       this.isDrawing = false;
       this.drawNow(false);
     });
+  }
+
+  // At once, in the time that is left until the next picture; a second result before it waits for it.
+  drawResult() {
+    if (this.isDrawing) return;
+    if (this.isDrawn) {
+      this.draw();
+      return;
+    }
+    this.isDrawn = true;
+    requestAnimationFrame(() => {
+      this.isDrawn = false;
+    });
+    this.settleSoon();
+    this.drawNow(false);
   }
 
   // What is in view, or the whole page.
