@@ -2,10 +2,10 @@
 
 In a headless Chromium without a graphics card. A move is an ``input`` event at a random phase of the screen's
 60 Hz. It ends when the main thread has arranged and painted the picture with its curves; what follows, on the
-way to a screen, no script can see. Its parts: until the curves are on their canvases; until the browser begins
-the next picture, which no page can shorten; and the picture itself. The page's runs are timed
-beside those of the same FMU and the same motion by the compiled loop of `pyjoystick`, in turns: 1501 rows of
-the variables that the page shows.
+way to a screen, no script can see. Its parts: until the curves are on their canvases; until the browser
+begins the next picture, which no page can shorten; and the picture itself. The page's runs are timed beside
+those of the same FMU and the same motion by the compiled loop of `pyjoystick`, in turns: 1501 rows of the
+variables that the page shows.
 """
 
 from __future__ import annotations

@@ -28,6 +28,13 @@ CONNECTIONS_AND_COUNTS = (
         (r"\bconnect\s*\([^;]*\[[^;]*(?=;)",),
     ),
     Meaning(
+        r"element assignments must cover a discrete coordinate exactly once",
+        UnsupportedModelError,
+        "the compiler does not find an order for all connections of the elements of a Boolean or Integer "
+        "array; write equations for them instead of connect(), as and1.u[2] = source.y",
+        (r"\bconnect\s*\([^;]*\[\s*\d+\s*\][^;]*(?=;)",),
+    ),
+    Meaning(
         r"expandable connector .* requires unsupported member augmentation",
         UnsupportedModelError,
         "connections give this expandable connector members that it does not declare, which is not supported "

@@ -29,7 +29,10 @@ _DERIVATIVE = r"der\s*\(.*\)"
 _UNEXPLAINED = "because resolve/parse failed"
 # A failure after type checking means that the Modelica is valid but not supported.
 _AFTER_TYPES = re.compile(r"^(?:flatten|todae) failed: ")
-_NOT_CARRIED = "unevaluable array dimensions"
+_SIZE = re.compile(
+    r"unevaluable array dimensions for '(?P<name>[^']*)': dimension expression could not be evaluated: "
+    r"\[(?:Expression\()?(?P<size>.*?)\)?\]"
+)
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 _OWNER = re.compile(r"unsupported Flat semantic owner `([^`]*)`: ")
 
@@ -89,8 +92,9 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
     message = _PHASE.sub("", text)
     places = [f"{match['place']}: {match['text'].strip()}" for match in _LOCATED.finditer(message)]
     if places:
-        located_error = UnsupportedModelError if _NOT_CARRIED in message else ModelicaError
-        return located_error("\n".join(places))
+        if _SIZE.search(message):
+            return UnsupportedModelError(_SIZE.sub(_unknown_size, "\n".join(places)))
+        return ModelicaError("\n".join(places))
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
     source = ModelText(model, {file: read_text(file) for file in files})
@@ -105,6 +109,13 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
     error = UnsupportedModelError if not_carried else ModelicaError
     what = _OWNER.sub(r"rumoca does not support this \1: ", message)
     return error(located(what, [construct.place for construct in found], model, file))
+
+
+def _unknown_size(found: re.Match[str]) -> str:
+    return (
+        f"the compiler cannot compute the size of {found['name']}, {found['size']}, from the parameters; "
+        "declare the array with a number"
+    )
 
 
 def _syntax_error(file: Path) -> str | None:

@@ -267,6 +267,18 @@ MEANINGS = (
         only_there=True,
     ),
     Meaning(
+        r"impure function `Modelica\.Math\.Random\.\S*` is called from a pure function",
+        UnsupportedModelError,
+        "the impure random numbers of Modelica.Math.Random.Utilities, which its blocks of noise take for "
+        "their seeds, are not supported; give the noise as an input or a table",
+    ),
+    Meaning(
+        r"impure function `(?:[^`]*\.)?(?P<name>\w+)` is called from a pure function",
+        ModelicaError,
+        "a function that calls the impure function {name} must be impure itself",
+        (r"(?<![\w.])NAME\s*(?=\()",),
+    ),
+    Meaning(
         r"multi-output event calls",
         UnsupportedModelError,
         "taking several results of a function is not supported in a when-clause; write a function for each",

@@ -29,6 +29,11 @@ def _function(body: str, local: str = "") -> str:
     return f"function f input Real x; output Real y; {local} algorithm {body} end f; Real y;"
 
 
+_GATES = (
+    "connector I = input Boolean; connector O = output Boolean; block S O y; equation y = time > 0.5; end S; "
+    "block A I u[2]; O y; equation y = u[1] and u[2]; end A; "
+)
+
 _CASES = {
     "an algorithm section of two variables": Case(
         "Real y; Real z;",
@@ -556,6 +561,20 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:112: the base class of a function is given a value for k, which is no input",
     ),
+    "a chain of connections to elements": Case(
+        _GATES + "S p; S q; A a; A b; A c;",
+        "connect(a.u[1], p.y); connect(a.u[2], q.y); connect(a.y, c.u[1]); connect(q.y, c.u[2]); "
+        "connect(c.y, b.u[1]); connect(q.y, b.u[2]);",
+        UnsupportedModelError,
+        "M.mo: the compiler does not find an order for all connections of the elements of a Boolean",
+    ),
+    "an impure function in a pure one": Case(
+        'impure function g output Real y; external "C" y = rand(); end g; '
+        "function f input Real x; output Real y; algorithm y := x*g(); end f; Real y;",
+        "y = f(time);",
+        ModelicaError,
+        "M.mo:2:125: a function that calls the impure function g must be impure itself",
+    ),
 }
 
 
@@ -567,3 +586,29 @@ def test_message(case: Case, tmp_path: Path) -> None:
         generate_model(BuildRequest("M", tmp_path, file))
     assert type(caught.value) is case.error
     assert str(caught.value).replace(f"{tmp_path}/", "").startswith(case.message)
+
+
+def test_random_numbers_of_the_standard_library(tmp_path: Path) -> None:
+    file = tmp_path / "Modelica.mo"
+    file.write_text(
+        "package Modelica package Math package Random package Utilities\n"
+        '  impure function g output Real y; external "C" y = rand(); end g;\n'
+        "  function f input Real x; output Real y; algorithm y := x*g(); end f;\n"
+        "  model M Real y = f(time); end M;\n"
+        "end Utilities; end Random; end Math; end Modelica;\n"
+    )
+    with pytest.raises(UnsupportedModelError, match="impure random numbers of Modelica"):
+        generate_model(BuildRequest("Modelica.Math.Random.Utilities.M", tmp_path, file))
+
+
+def test_a_size_that_the_compiler_cannot_compute(tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(
+        "model M\n"
+        "  function f input Real k; output Integer n; algorithm n := integer(ceil(k)); end f;\n"
+        "  parameter Real k = 2.5; parameter Integer n = f(k);\n"
+        "  Real z[n];\n"
+        "equation\n  z = fill(time, n);\nend M;\n"
+    )
+    with pytest.raises(UnsupportedModelError, match=r"4:3: .*size of z, n, from the parameters; declare"):
+        generate_model(BuildRequest("M", tmp_path, file))
