@@ -11,6 +11,7 @@ import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
 from benchmarks.disturbed_motion import Disturbance, disturbed_motion
+from pyjoystick.identification import SPRING_FORCES
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray
@@ -130,6 +131,12 @@ def _preload(making: Making, size: float, random: np.random.Generator) -> None:
     making.joystick = NOMINAL.replace({name: NOMINAL.to_names()[name] * (1.0 + 0.01 * size)})
 
 
+def _force_scale(making: Making, size: float, random: np.random.Generator) -> None:
+    values = NOMINAL.to_names()
+    stronger = {name: values[name] * (1.0 + 0.01 * size) for name in SPRING_FORCES}
+    making.joystick = NOMINAL.replace(stronger)
+
+
 def _law(making: Making, size: float, random: np.random.Generator) -> None:
     """Eq. (11) in part: coefficients between a constant C and their true values."""
     values = {"damping.alpha": 1.0}
@@ -212,6 +219,7 @@ CASES: Final[Mapping[str, Case]] = {
     "stop": Case((14.0, 12.0, 10.0), "deg", _stop, ("stop",)),
     "J": Case((0.2, 1.0, 5.0), "%", _inertia, ("moment of inertia",)),
     "preload": Case((0.2, 1.0, 5.0), "%", _preload, ("preloads",)),
+    "forces of the springs": Case((0.2, 0.5, 2.0), "%", _force_scale, ("forces of the springs",)),
     "zero offset": Case((0.1, 0.3, 1.0), "deg", _offset),
     "time base": Case((0.1, 0.3, 1.0), "%", _time_base, ("time base",)),
     "angle scale": Case((0.2, 0.5, 2.0), "%", _scale, ("scale",)),

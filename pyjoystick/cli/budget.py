@@ -50,7 +50,7 @@ def run(
         list[str] | None,
         options.uncertainty(
             "m, h, J, g, a, b, friction.T_c, friction.F_c, friction.T_s or friction.omega_s (SI units), or "
-            "scale or time_base (relative, of the angle and the clock)"
+            "scale, time_base or force_scale (relative: of the angle, the clock and the load cell)"
         ),
     ] = None,
     release_angle: options.ReleaseAngle = options.DEFAULT_RELEASE_ANGLE,
@@ -106,12 +106,12 @@ def _bench(
     file: model.ParameterFile, curves: dict[model.Side, Path], errors: dict[str, float]
 ) -> identification.Bench:
     """Bench measurements from the file and the options; reports quantities without an uncertainty."""
-    allowed = (*identification.UNCERTAIN, *identification.OF_RECORDS)
+    allowed = (*identification.UNCERTAIN, *identification.OF_INSTRUMENTS)
     for name, value in errors.items():
         if name not in allowed:
             raise ParameterError(name, value, f"one of {', '.join(allowed)}")
-    of_records = dict.fromkeys(identification.OF_RECORDS, 1.0)
-    require_uncertainties(errors, file.joystick.to_names() | of_records)
+    relative = dict.fromkeys(identification.OF_INSTRUMENTS, 1.0)
+    require_uncertainties(errors, file.joystick.to_names() | relative)
     if file.law != "constant":
         raise typer.BadParameter("the file must choose constant damping", param_hint="--parameters")
     given = {name: value for name, value in errors.items() if name in identification.UNCERTAIN}
@@ -119,7 +119,7 @@ def _bench(
         joystick=file.joystick,
         curves=_fitted(file, curves),
         uncertainties=identification.stated_uncertainties(file) | given,
-        **{name: errors.get(name, 0.0) for name in of_records},
+        **{name: errors.get(name, 0.0) for name in relative},
     )
     if bench.exact:
         print_warning(f"taken as exact: {', '.join(bench.exact)}")

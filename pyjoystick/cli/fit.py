@@ -25,6 +25,7 @@ from pyjoystick.cli.console import (
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.cli.invocation import INTERRUPTED, invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_update
+from pyjoystick.cli.plausibility import require_uncertainties
 
 EXAMPLES: Final = """
 Examples:
@@ -87,6 +88,16 @@ def run(
             "must have been measured without these records; a value saved by `fit --update` is refused.",
         ),
     ] = None,
+    force_scale: Annotated[
+        float | None,
+        typer.Option(
+            "--force-scale",
+            metavar="PART",
+            help="Relative standard uncertainty of the load cell that measured the springs of --parameters, "
+            "such as 0.005: fit a common factor of all spring forces too, and count its calibration as one "
+            "more measurement.",
+        ),
+    ] = None,
     update: Annotated[
         bool,
         typer.Option(
@@ -117,7 +128,8 @@ def run(
     after SIGTERM; results found by then are printed and written.
     """
     _check_choice(settings_file, damping, is_driven=is_driven, friction=friction)
-    _check_file(parameters, known, update=update, even_if_doubtful=even_if_doubtful)
+    measured = {"--known": known, "--force-scale": force_scale}
+    _check_file(parameters, measured, update=update, even_if_doubtful=even_if_doubtful)
     headings = parsing.parse_headings(columns, units)
     support.check_outputs(parameters if update else None, None if folder is None else folder / "fit.md", json)
     given = file_to_update(parameters) if update else joystick_choice.parameter_file(parameters)
@@ -133,9 +145,7 @@ def run(
         if joystick is not None:
             values = joystick.to_names()
             settings = identification.with_values(settings, values, replace_starts=settings_file is None)
-            settings = identification.with_known(
-                settings, *_known(given, model.law_name(joystick.damping), known or ())
-            )
+            settings = _with_measured(settings, given, joystick, known or (), force_scale)
         if update:
             identification.require_joystick_in(settings)
         records = identification.read_records(
@@ -174,6 +184,21 @@ def _begun(
     return identification.with_estimated_starts(settings, joystick, records)
 
 
+def _with_measured(
+    settings: identification.FitSettings,
+    file: model.ParameterFile,
+    joystick: model.JoystickParameters,
+    known: Sequence[str],
+    force_scale: float | None,
+) -> identification.FitSettings:
+    """The settings with measurements that the fit may change within their uncertainties."""
+    settings = identification.with_known(settings, *_known(file, model.law_name(joystick.damping), known))
+    if force_scale is None:
+        return settings
+    require_uncertainties({"force_scale": force_scale}, {"force_scale": 1.0}, option="--force-scale")
+    return identification.with_force_scale(settings, joystick, force_scale)
+
+
 def _known(
     file: model.ParameterFile, law: model.LawName, names: Sequence[str]
 ) -> tuple[Mapping[str, float], Mapping[str, float]]:
@@ -195,11 +220,11 @@ def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bo
 
 
 def _check_file(
-    parameters: Path | None, known: Sequence[str] | None, *, update: bool, even_if_doubtful: bool
+    parameters: Path | None, measured: Mapping[str, object], *, update: bool, even_if_doubtful: bool
 ) -> None:
     """Reject options that need a file when --parameters is missing."""
     if parameters is None:
-        parsing.refuse_given("needs --parameters", {"--update": update or None, "--known": known})
+        parsing.refuse_given("needs --parameters", {"--update": update or None, **measured})
     if even_if_doubtful and not update:
         raise typer.BadParameter("is for --update", param_hint="--even-if-doubtful")
 

@@ -33,12 +33,15 @@ def require_length(option: str, length: float | None) -> None:
         require_plausible({"pivot_to_top": length}, options={"pivot_to_top": option})
 
 
-def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, float]) -> None:
-    """Reject standard uncertainties of --uncertainty above a third of the value.
+def require_uncertainties(
+    errors: Mapping[str, float], values: Mapping[str, float], *, option: str = "--uncertainty"
+) -> None:
+    """Reject standard uncertainties above a third of the value.
 
     Args:
         errors: by name
         values: by name, all in SI units
+        option: the option that gave them, for the message
 
     Raises:
         ImplausibleError: one is larger, and --implausible was not given
@@ -47,7 +50,7 @@ def require_uncertainties(errors: Mapping[str, float], values: Mapping[str, floa
         most = abs(values.get(name, 0.0)) / 3.0
         if error > most > 0.0:
             allowed = f"below a third of {name} = {values[name]:g}, in the same unit"
-            raise model.ImplausibleError(f"--uncertainty {name}", error, allowed, _INSIST)
+            raise model.ImplausibleError(f"{option} {name}", error, allowed, _INSIST)
 
 
 def note_small_angle(option: str, text: str, degrees: float) -> None:

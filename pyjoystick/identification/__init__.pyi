@@ -1,5 +1,5 @@
 from .bench import (
-    OF_RECORDS as OF_RECORDS,
+    OF_INSTRUMENTS as OF_INSTRUMENTS,
     UNCERTAIN as UNCERTAIN,
     Bench as Bench,
     stated_uncertainties as stated_uncertainties,
@@ -61,7 +61,9 @@ from .fitting.problem.joystick_settings import (
     PLUNGER_FRICTION as PLUNGER_FRICTION,
     POWER_LAW_DAMPING as POWER_LAW_DAMPING,
     RELEASE as RELEASE,
+    SPRING_FORCES as SPRING_FORCES,
     driven as driven,
+    with_force_scale as with_force_scale,
     with_friction as with_friction,
 )
 from .fitting.problem.known_values import with_known as with_known, with_values as with_values

@@ -16,8 +16,12 @@ UNCERTAIN: Final[Mapping[str, str]] = {
     **{name: PLACES[name] for name in ("m", "h", "J", "g", "a", "b")},
     **{name: name for name in FRICTION_NAMES},
 }
-#: Relative uncertainties of the records that residuals do not show: attributes of `Bench` and their names.
-OF_RECORDS: Final[Mapping[str, str]] = {"scale": "scale of the angle", "time_base": "time base"}
+#: Relative uncertainties of instruments that residuals do not show: attributes of `Bench` and their names.
+OF_INSTRUMENTS: Final[Mapping[str, str]] = {
+    "scale": "scale of the angle",
+    "time_base": "time base",
+    "force_scale": "scale of the force",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +34,7 @@ class Bench:
         uncertainties: standard uncertainties of the names in `UNCERTAIN` (SI units)
         scale: relative uncertainty of the angle's scale, equal to that of the top marker's radius
         time_base: relative uncertainty of the clock of the records
+        force_scale: relative uncertainty of the load cell's scale, which all springs have in common
     """
 
     joystick: JoystickParameters
@@ -37,6 +42,7 @@ class Bench:
     uncertainties: Mapping[str, float]
     scale: float = 0.0
     time_base: float = 0.0
+    force_scale: float = 0.0
 
     @property
     def fmu(self) -> str:
@@ -54,8 +60,8 @@ class Bench:
             if name != "J" and values.get(name, 0.0) != 0.0 and not self.uncertainties.get(name, 0.0) > 0.0
         ]
         curves = [f"load curve {side}" for side in SIDES if side not in self.curves]
-        records = [title for name, title in OF_RECORDS.items() if not getattr(self, name) > 0.0]
-        return (*names, *([] if self._rubs else ["the absence of dry friction"]), *curves, *records)
+        instruments = [title for name, title in OF_INSTRUMENTS.items() if not getattr(self, name) > 0.0]
+        return (*names, *([] if self._rubs else ["the absence of dry friction"]), *curves, *instruments)
 
     @property
     def _rubs(self) -> bool:

@@ -228,6 +228,7 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
             uncertainties=identification.stated_uncertainties(file),
             scale=scale,
             time_base=lab.time_base,
+            force_scale=lab.force_scale,
         )
         read = motion.read_repeats([lab.root / one for one in records], counted=False)
         tell("fitting")
@@ -254,6 +255,7 @@ def budget(lab: Laboratory, records: tuple[str, ...], curves: tuple[model.Side, 
             "curves": {side: plain(lab.curves[side]) for side in curves},
             "u_scale": scale,
             "u_time_base": lab.time_base,
+            "u_force_scale": lab.force_scale,
             "release_angle": lab.release_angle,
             "FMU": content_of(standard_fmus(lab)[0], find),
         },

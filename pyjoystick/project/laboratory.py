@@ -149,6 +149,7 @@ class Laboratory:
         fit: how the records are fitted
         scale: relative standard uncertainty of the angle's scale; if None, that of the markers' radius
         time_base: relative standard uncertainty of the records' clock
+        force_scale: relative standard uncertainty of the load cell's scale
         release_angle: release angle of the runs shown by error budget and report (rad)
         fmus: what is exported
     """
@@ -168,6 +169,7 @@ class Laboratory:
     fit: FitChoice
     scale: float | None
     time_base: float
+    force_scale: float
     release_angle: float
     fmus: FmuChoice
 

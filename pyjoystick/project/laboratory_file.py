@@ -96,6 +96,7 @@ def read_laboratory(path: str | PathLike[str] | Table) -> Laboratory:
         ),
         scale=relative_of(fit, "u_scale"),
         time_base=_default(relative_of(fit, "u_time_base"), 0.0),
+        force_scale=_default(relative_of(fit, "u_force_scale"), 0.0),
         release_angle=_default(angle_of(results, "release_angle"), _RELEASE),
         fmus=_fmus(root.table("fmus")),
     )

@@ -148,6 +148,7 @@ def _fit() -> Schema:
         known=about(array(TEXT), "measured parameters that the fit may change within their uncertainties"),
         u_scale=about(NUMBER, "relative standard uncertainty of the angle's scale"),
         u_time_base=about(NUMBER, "relative standard uncertainty of the clock of the records"),
+        u_force_scale=about(NUMBER, "relative standard uncertainty of the load cell's scale"),
         even_if_doubtful=FLAG,
     )
 

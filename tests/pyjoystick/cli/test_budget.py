@@ -36,7 +36,7 @@ def test_what_is_uncertain_has_a_row_and_the_file_the_whole(command: Command, re
     )
     assert outcome.code == 0, outcome.err
     none = "the absence of dry friction"
-    exact = f"h, g, a, b, {none}, load curve forward, load curve backward, time base"
+    exact = f"h, g, a, b, {none}, load curve forward, load curve backward, time base, scale of the force"
     assert f"taken as exact: {exact}" in outcome.err
     parts = [
         [float(cell or 0.0) for cell in cells(outcome.out, stage)[3:]]

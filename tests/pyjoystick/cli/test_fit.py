@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.identification import FitInterruptedError
-from pyjoystick.model import NOMINAL, PAPER, ConstantDamping, read_parameter_file, simulate
+from pyjoystick.model import NOMINAL, PAPER, ConstantDamping, read_parameter_file, simulate, write_parameters
 from tests.pyjoystick.cli.conftest import Command
 
 DATA = Path(__file__).parents[3] / "scenarios" / "data"
@@ -267,3 +267,18 @@ def test_dry_friction_is_fitted_saved_and_then_known(command: Command, tmp_path:
     twice = command("fit", *map(str, files), "--friction", "-p", str(joystick), "--known", "friction.T_c")
     assert twice.code == 2
     assert "records must not count twice" in twice.err
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_the_scale_of_the_load_cell(command: Command, tmp_path: Path) -> None:
+    joystick = tmp_path / "joystick.toml"
+    write_parameters(joystick, NOMINAL)
+    outcome = command("fit", RECORDS[0], "-p", str(joystick), "--force-scale", "0.005", "--update")
+    assert outcome.code == 0, outcome.err
+    assert "Counted as measured beforehand: force_scale 1 +- 0.005" in outcome.out
+    found = read_parameter_file(joystick)
+    assert found.sources["forward"] == f"fit to {Path(RECORDS[0]).name}"
+    assert found.uncertainties["forward.k[1]"] < 0.005 * found.curves["forward"].k[1]
+    for scale, words in (("0.5", "--force-scale force_scale = 0.5"), ("0", "force_scale.uncertainty = 0")):
+        assert words in command("fit", RECORDS[0], "-p", str(joystick), "--force-scale", scale).err
+    assert "needs --parameters" in command("fit", RECORDS[0], "--force-scale", "0.005").err

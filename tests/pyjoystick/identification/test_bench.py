@@ -12,13 +12,24 @@ def test_what_has_no_uncertainty_is_exact() -> None:
     bench = Bench(joystick=NOMINAL, curves={}, uncertainties={"m": 0.001, "h": 0.0, "J": 0.0})
     curves = ("load curve forward", "load curve backward")
     none = "the absence of dry friction"
-    assert bench.exact == ("h", "g", "a", "b", none, *curves, "scale of the angle", "time base")
+    assert bench.exact == (
+        "h",
+        "g",
+        "a",
+        "b",
+        none,
+        *curves,
+        "scale of the angle",
+        "time base",
+        "scale of the force",
+    )
     known = Bench(
         joystick=NOMINAL.replace({"friction.F_c": 0.3}),
         curves={},
         uncertainties=dict.fromkeys("mhgab", 1e-6),
         scale=1e-3,
         time_base=1e-4,
+        force_scale=5e-3,
     )
     assert known.exact == ("friction.F_c", *curves)
 

@@ -9,7 +9,13 @@ import numpy as np
 import pytest
 
 from pyjoystick.fmu import Fmu
-from pyjoystick.identification import Bench, Contribution, contribution_table, fit_contributions
+from pyjoystick.identification import (
+    SPRING_FORCES,
+    Bench,
+    Contribution,
+    contribution_table,
+    fit_contributions,
+)
 from pyjoystick.identification.fitting.fit import fitted_values
 from pyjoystick.identification.laboratory_errors import curve_axes, run_contribution, settings_of_refit
 from pyjoystick.laboratory import fit_load_curve, mean_period, synthetic_record
@@ -85,6 +91,22 @@ def test_what_is_measured_before_reaches_the_fitted_values() -> None:
     variance = np.einsum("it,ij,jt->t", slopes, found.standard_errors.covariance[:2, :2], slopes)
     assert noise.theta == pytest.approx(math.sqrt(float(np.mean(variance))), rel=1e-3)
     assert pytest.approx(found.error("J") / found.value("J")) == noise.J
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_a_load_cell_that_shows_too_much_misleads_the_fit_of_j() -> None:
+    """Springs, J and C that are larger by the same part give the same motion, but for the weight."""
+    bench = Bench(joystick=NOMINAL, curves={}, uncertainties={}, force_scale=5e-3)
+    with Fmu("Joystick") as fmu:
+        _, contributions = fit_contributions(
+            [_record(NOMINAL, noise=2e-4)], bench, fmu, release_angle=RELEASE
+        )
+        weaker = NOMINAL.replace({name: NOMINAL.to_names()[name] / 1.005 for name in SPRING_FORCES})
+        misled = fitted_values([_record(weaker)], settings_of_refit(NOMINAL), fmu)
+    force = next(one for one in contributions if one.stage == "scale of the force, 0.5 %")
+    assert pytest.approx(_off(misled), rel=0.05) == (force.J, force.C)
+    # The weight, which the load cell does not measure, is a tenth of the moments.
+    assert pytest.approx((5e-3, 5e-3), rel=0.15) == (force.J, force.C)
 
 
 def _record(joystick: JoystickParameters, noise: float = 1e-7) -> Record:

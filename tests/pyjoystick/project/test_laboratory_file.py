@@ -62,6 +62,7 @@ delay = "20 ms"
 law = "power-law"
 u_scale = 0.002
 u_time_base = 1e-4
+u_force_scale = 0.005
 [results]
 release_angle = "-15 deg"
 [fmus]
@@ -108,6 +109,7 @@ def test_everything_that_it_can_say(tmp_path: Path) -> None:
     assert (lab.accelerometers[0].setup.distance, lab.accelerometers[0].setup.delay) == (0.25, 0.02)
     assert (lab.fit.law, lab.angle_scale(), lab.release_angle) == ("power-law", 0.002, math.radians(-15.0))
     assert lab.time_base == 1e-4
+    assert lab.force_scale == 0.005
     assert (lab.fmus.versions, lab.fmus.platforms, lab.fmus.json) == ((2, 3), ("all",), True)
 
 

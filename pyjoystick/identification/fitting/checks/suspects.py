@@ -18,7 +18,11 @@ from pyjoystick.fmu import REALS
 from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
 from pyjoystick.identification.fitting.checks.instrument_suspects import instruments
 from pyjoystick.identification.fitting.checks.suspect import LEVELS, Suspect, beyond, each, largest, limits
-from pyjoystick.identification.fitting.problem.joystick_settings import PIVOT_FRICTION, PLUNGER_FRICTION
+from pyjoystick.identification.fitting.problem.joystick_settings import (
+    PIVOT_FRICTION,
+    PLUNGER_FRICTION,
+    SPRING_FORCES,
+)
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
 from pyjoystick.support import FloatArray
@@ -44,6 +48,8 @@ def suspects(problem: Problem, x: FloatArray) -> Iterator[Suspect]:
         yield from _friction(motions)
         yield from _damping(motions)
         yield from _stops(motions)
+        if motions[0].has("M_s") and not set(problem.variables.varied) & set(SPRING_FORCES):
+            yield _force_scale(motions)
         if not predictors[0].inputs:
             yield _moving_at_release(motions)
         if "T" in predictors[0].inputs:
@@ -106,6 +112,15 @@ def _stop(motions: Sequence[FittedMotion], limit: float) -> Suspect:
         lambda s: f"at about {math.degrees(limit):.2g} deg",
         one_sided=True,
         alternatives=2 * len(LEVELS),
+    )
+
+
+def _force_scale(motions: Sequence[FittedMotion]) -> Suspect:
+    """An error of the load cell that measured the springs."""
+    return Suspect(
+        "another scale of all forces of the springs",
+        each(motions, lambda one: one.with_moment(-one.series("M_s"))),
+        lambda s: f"{100.0 * s[0]:+.2g} %",
     )
 
 

@@ -7,6 +7,7 @@ from typing import Final
 
 from pyjoystick.identification.fitting.problem.instrument import DELAY, RELEASE_TIME, ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Search, Uncertainty
+from pyjoystick.model import NOMINAL, JoystickParameters
 from pyjoystick.runs import FMU_WITH_FRICTION
 from pyjoystick.support import ParameterError
 
@@ -75,6 +76,35 @@ def driven(settings: FitSettings) -> FitSettings:
 #: Dry friction at the pivot (N m) and along the plungers in contact (N).
 PIVOT_FRICTION: Final = Free("friction.T_c", start=5e-3, minimum=0.0, maximum=1.0)
 PLUNGER_FRICTION: Final = Free("friction.F_c", start=0.2, minimum=0.0, maximum=50.0)
+
+
+#: The parameters that a load cell measures: the preload and the stiffnesses of each spring.
+SPRING_FORCES: Final = tuple(name for name in NOMINAL.to_names() if name.endswith((".F_0", ".k_s", ".k_h")))
+FORCE_SCALE: Final = "force_scale"
+
+
+def with_force_scale(settings: FitSettings, joystick: JoystickParameters, uncertainty: float) -> FitSettings:
+    """Fit a common factor of the springs' forces: 1 within the uncertainty of the load cell's calibration.
+
+    Args:
+        settings: they leave the forces of the springs alone
+        joystick: the measured springs
+        uncertainty: relative standard uncertainty
+
+    Raises:
+        ParameterError: the uncertainty is not above 0, or a force is fitted or tied already
+    """
+    taken = {one.name for one in settings.free} | set(settings.ties)
+    for name in SPRING_FORCES:
+        if name in taken:
+            raise ParameterError(name, "fitted or tied", f"left to {FORCE_SCALE}")
+    values = joystick.to_names()
+    return dataclasses.replace(
+        settings,
+        free=(*settings.free, Free(FORCE_SCALE, start=1.0, uncertainty=uncertainty)),
+        ties={**settings.ties, **{name: f"{values[name]!r}*{FORCE_SCALE}" for name in SPRING_FORCES}},
+        fixed={name: value for name, value in settings.fixed.items() if name not in SPRING_FORCES},
+    )
 
 
 def with_friction(settings: FitSettings, *friction: Free) -> FitSettings:

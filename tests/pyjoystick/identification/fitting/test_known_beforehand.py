@@ -14,10 +14,13 @@ from pyjoystick.identification import (
     CONSTANT_DAMPING,
     PIVOT_FRICTION,
     PLUNGER_FRICTION,
+    SPRING_FORCES,
     Free,
     Uncertainty,
     fit,
+    fitted_joystick,
     summary,
+    with_force_scale,
     with_friction,
     with_known,
 )
@@ -115,6 +118,32 @@ def test_what_is_known_precisely_hides_nothing(fmus_by_name: Path) -> None:
         assert checks[0][name] == checks[1][name]
     assert not checks[0]["missing physics"][0]
     assert f"J {NOMINAL.J:.6g} +- 1e-09 (the records say nothing of it)" in summary(found[1])
+
+
+def test_the_scale_of_the_load_cell_is_found(fmus_by_name: Path) -> None:
+    """Springs 0.4 % stronger than measured, by a load cell known to 0.5 %."""
+    values = NOMINAL.to_names()
+    stronger = NOMINAL.replace({name: 1.004 * values[name] for name in SPRING_FORCES})
+    records = releases(stronger, 4, noise=NOISE)
+    settings = dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=()))
+    assert not fit(records, settings).trusted
+    found = fit(records, with_force_scale(settings, NOMINAL, 0.005))
+    assert found.trusted, [check for check in found.checks if not check.passed]
+    for name, truth in (("damping.C", 0.045), ("force_scale", 1.004)):
+        assert abs(found.value(name) - truth) < 4.0 * found.error(name) < 0.01 * truth
+    saved = fitted_joystick(found, NOMINAL).joystick.to_names()
+    for name in SPRING_FORCES:
+        assert saved[name] == pytest.approx(found.value("force_scale") * values[name], rel=1e-3)
+
+
+def test_the_scale_of_the_load_cell_needs_springs_that_nothing_else_moves() -> None:
+    taken = with_known(
+        CONSTANT_DAMPING, {"forward.returnSpring.k_s": 2625.0}, {"forward.returnSpring.k_s": 1.6}
+    )
+    with pytest.raises(ParameterError, match=r"forward\.returnSpring\.k_s = fitted or tied: must be left to"):
+        with_force_scale(taken, NOMINAL, 0.005)
+    with pytest.raises(ParameterError, match=r"force_scale\.uncertainty"):
+        with_force_scale(CONSTANT_DAMPING, NOMINAL, 0.0)
 
 
 def test_the_noise_is_that_of_the_samples_alone() -> None:
