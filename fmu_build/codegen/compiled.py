@@ -26,13 +26,14 @@ class CompiledModel:
     source_files: tuple[tuple[int, str, str], ...]
 
     @cached_property
-    def _sources(self) -> dict[int, tuple[str, str]]:
+    def sources(self) -> dict[int, tuple[str, str]]:
+        """Path and text of the source files, by their numbers in spans."""
         return {number: (path, text) for number, path, text in self.source_files}
 
     @cached_property
     def _file(self) -> str:
         """The file that declares the model."""
-        for path, text in self._sources.values():
+        for path, text in self.sources.values():
             if any(declared.name == self.name for declared in declarations(text)):
                 return path
         return self.name
@@ -40,27 +41,27 @@ class CompiledModel:
     @cached_property
     def classes(self) -> ModelText:
         """The source text of all classes that the model can reach."""
-        return ModelText(self.name, {Path(path): text for path, text in self._sources.values()}, around=False)
+        return ModelText(self.name, {Path(path): text for path, text in self.sources.values()}, around=False)
 
     @cached_property
     def classes_around(self) -> ModelText:
         """The same, and the text of the classes around them."""
-        return ModelText(self.name, {Path(path): text for path, text in self._sources.values()})
+        return ModelText(self.name, {Path(path): text for path, text in self.sources.values()})
 
     def text(self, span: Span) -> str:
         """Return the source text of a span."""
-        return self._sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
+        return self.sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
 
     def place(self, span: Span | None) -> Place | None:
         """Return the place of a source span, or None if the compiler gave none."""
-        if span is None or span.get("source") not in self._sources:
+        if span is None or span.get("source") not in self.sources:
             return None
-        path, text = self._sources[span["source"]]
+        path, text = self.sources[span["source"]]
         return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
 
     def class_around(self, span: Span) -> str:
         """Return the qualified name of the innermost class around a span."""
-        text = self._sources[span["source"]][1]
+        text = self.sources[span["source"]][1]
         place = len(text.encode()[: span["start"]].decode())
         around = (one for one in declarations(text) if one.start <= place < one.end)
         return max(around, key=lambda one: one.start).name
@@ -85,3 +86,8 @@ def expressions(tree: Any, kind: str) -> Iterator[dict[str, Any]]:
         return
     for child in tree:
         yield from expressions(child, kind)
+
+
+def is_fixed(variable: Mapping[str, Any]) -> bool:
+    """Return whether a variable of the flat model is a parameter or a constant."""
+    return any(kind in variable["variability"] for kind in ("Parameter", "Constant"))

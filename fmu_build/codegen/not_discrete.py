@@ -16,6 +16,7 @@ from fmu_build.codegen.lowered import LoweredModel
 _RELATIONS = frozenset({"less", "less_equal", "greater", "greater_equal", "equal", "not_equal"})
 _WITH_EVENTS = frozenset({"integer", "floor", "ceil", "div"})
 _VALUES_OF_EVENTS = frozenset({"pre", "previous", "edge", "change", "sample", "initial", "terminal", "hold"})
+_OF_SIZES = frozenset({"size", "ndims"})
 _CONTINUOUS = frozenset({"state", "derivative", "algebraic", "input"})
 
 
@@ -80,7 +81,7 @@ def _changing(model: LoweredModel, number: int, *, literal: bool = False) -> str
     if operation["kind"] == "coordinate":
         return _continuous(model, operation["coordinate"])
     builtin = operation.get("builtin")
-    if builtin in _VALUES_OF_EVENTS:
+    if builtin in _VALUES_OF_EVENTS or builtin in _OF_SIZES:
         return None
     if not literal and (operation.get("operator") in _RELATIONS or builtin in _WITH_EVENTS):
         return None

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from fmu_build.codegen.compiled import CompiledModel, Span, expressions
+from fmu_build.codegen.compiled import CompiledModel, Span, expressions, is_fixed
 from fmu_build.modelica_source.text import blanked
 from fmu_build.support.errors import UnsupportedModelError
 
@@ -35,7 +35,7 @@ def _strings(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     string = model.flat["predefined_types"]["string"]
     for name, variable in model.flat["variables"].items():
         declared = model.flat["effective_types"].get(str(variable["type_id"]))
-        if declared and declared["canonical_type"] == string and not _is_fixed(variable):
+        if declared and declared["canonical_type"] == string and not is_fixed(variable):
             yield f"the variable {name} of type String is not supported", variable["source_span"]
 
 
@@ -46,7 +46,7 @@ def _variable_attributes(model: CompiledModel, _: re.Match[str]) -> Obstacles:
         for attribute in _ATTRIBUTES:
             for reference in expressions(variable[attribute], "VarRef"):
                 other = reference["name"]["name"]
-                if other in variables and not _is_fixed(variables[other]):
+                if other in variables and not is_fixed(variables[other]):
                     what = f"{attribute} of {name} depends on {other}, which is not a parameter"
                     yield what, reference["span"]
 
@@ -196,11 +196,6 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),
 )
 """Patterns of rumoca's messages with their finders; Strings and external functions may cause any message."""
-
-
-def _is_fixed(variable: dict[str, Any]) -> bool:
-    """Return whether a variable is a parameter or a constant."""
-    return any(kind in variable["variability"] for kind in ("Parameter", "Constant"))
 
 
 def _calls(tree: Any, function: str) -> Iterator[dict[str, Any]]:

@@ -78,6 +78,14 @@ CONNECTIONS_AND_COUNTS = (
     Meaning(
         rf"(?P<all>{_UNBALANCED})",
         UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations for matrices of variables such as this "
+        "one: write one for each variable",
+        (r"(?:;|\bequation)\s*\[[^\[\]]*\]\s*=(?!=)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
         "{all}, as the compiler counts them; it miscounts connections with such subscripts: write numbers, a "
         "rising range of numbers, or one connect() for each element",
         (r"\bconnect\s*\([^;]*\[[^\];]*(?:\[|:\s*-\s*\d)[^;]*(?=;)",),

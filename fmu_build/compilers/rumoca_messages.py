@@ -65,7 +65,8 @@ MEANINGS = (
         r"unsupported model algorithm",
         UnsupportedModelError,
         "this algorithm section is not supported: outside of when-clauses one sets a single variable that is "
-        "no array, without loops; write a section for each variable, equations, or a function",
+        "no array, without loops and in each branch, and when-clauses have no loops and no reinit(); write a "
+        "section for each variable, equations, or a function",
         (r"\balgorithm\b",),
     ),
     Meaning(
@@ -118,6 +119,14 @@ MEANINGS = (
         "a when-clause that has sample() in one branch and a different condition in another is not supported",
         (r"\belsewhen\b[^;]*?\bsample\s*\(", r"\belsewhen\b"),
         "elsewhen",
+        only_there=True,
+    ),
+    Meaning(
+        r"owned by clock identity",
+        UnsupportedModelError,
+        "a when-clause with sample() that reads what a clause with another sample() sets is not supported; "
+        "write one clause for both",
+        (r"\bwhen\b[^;]*?\bsample\s*\(",),
     ),
     Meaning(
         r"`(?:history operator|pre) expression`: (?P<name>\w+)\(\.\.\.\) must have exactly one",
@@ -158,7 +167,8 @@ MEANINGS = (
     Meaning(
         rf"`{QUALIFIED}` has more than one semantic definition owner",
         ModelicaError,
-        "the discrete variable {name} is determined more than once, as by two when-clauses",
+        "the discrete variable {name} is determined more than once, as by two when-clauses; an equation that "
+        "determines another variable by it has that variable on the left: x = {name}",
         (r"(?<![\w.])NAME\s*:?=(?!=)",),
     ),
     Meaning(
@@ -185,6 +195,48 @@ MEANINGS = (
         UnsupportedModelError,
         "{new} cannot replace {old}: supported are classes that extend the one that they replace",
         (r"\bredeclare\s[^;]*?\bNAME\b",),
+    ),
+    Meaning(
+        r"if-equation branches have mismatched equation counts",
+        UnsupportedModelError,
+        "a for-loop in a branch of an if-equation counts as one equation, so that the branches seem to have "
+        "different numbers of them; write loops in all branches, or if-expressions",
+        (r"\b(?:then|else)\s+for\b[^;]*\bloop\b",),
+        only_there=True,
+    ),
+    Meaning(
+        r"tuple lowering requires its typed semantic owner",
+        UnsupportedModelError,
+        "taking several results of a function is not supported in a branch; do so in an equation of its own",
+        (r"\([\w\s,.]*,[\w\s,.]*\)\s*=(?!=)",),
+    ),
+    Meaning(
+        r"function loop domain",
+        UnsupportedModelError,
+        "loops of functions run over ranges of whole numbers, as 1:n; give other values to an array first",
+        (r"\bfor\s+\w+\s+in\s+(?=\{)",),
+    ),
+    Meaning(
+        r"input slot `(?P<name>\w+)` is filled more than once",
+        UnsupportedModelError,
+        "calling a function whose default value of {name} was changed in a short class is not supported with "
+        "another {name}; call the function itself",
+        (r"\bfunction\s+\w+\s*=\s*[\w.]+\s*\([^;]*\bNAME\s*=",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved Flat reference `(?:[^`]*\.)?(?P<name>\w+)\.(?P<member>\w+)`",
+        UnsupportedModelError,
+        "{name}.{member}, a member of all elements of a matrix of components, is not supported; write the "
+        "elements out",
+        (r"(?<![\w.])NAME\s*\[[^\[\]]*,[^\[\]]*\]\s*(?=[;(\"])",),
+        only_there=True,
+    ),
+    Meaning(
+        r"a discrete-valued equation must have one unsubscripted resolved coordinate as its left-hand side",
+        UnsupportedModelError,
+        "an equation in which an unknown has a factor that only events change is taken for a discrete one; "
+        "solve it for the unknown, as x = time/n",
     ),
     Meaning(
         r"if-equation branches have mismatched equation counts",
@@ -361,9 +413,17 @@ MEANINGS = (
         "a function takes the size of a local array for the value of another local variable, which is not "
         "supported",
         (r"=\s*size\s*\(",),
+        only_there=True,
     ),
     Meaning(
-        r"for-equation range must be a constant range|array comprehension domain|range step",
+        r"missing function value definition for identity",
+        UnsupportedModelError,
+        "a function gives one of its variables a value by another one that is declared after it; assign it "
+        "in the algorithm",
+        (r"\bfunction\b",),
+    ),
+    Meaning(
+        r"for-equation range must be a constant range|array comprehension domain|range st(?:ep|art)",
         UnsupportedModelError,
         "ranges have whole numbers, as 1:n; iterators over arrays and enumerations are not supported",
         (r"\bin\s+(?![\w.+*/() -]*:)[\w.{]+",),

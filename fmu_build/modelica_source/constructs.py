@@ -46,6 +46,10 @@ class ModelText:
         }
         self._found: dict[str, list[Construct]] = {}
 
+    def plain(self, file: Path) -> str:
+        """Return the text of the classes in a file, at its offsets and without comments and strings."""
+        return self._plain[file]
+
     def find(self, patterns: Sequence[str]) -> list[Construct]:
         """Return all matches of the first pattern that has any; a final ``(`` extends to its ``)``."""
         return next(filter(None, map(self._all, patterns)), [])

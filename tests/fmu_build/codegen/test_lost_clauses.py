@@ -1,0 +1,109 @@
+"""When-clauses and assertions in if-equations: rumoca leaves some of them out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from pyjoystick.support import SimulationError
+from tests.fmu_build.package_under_test import PackageUnderTest
+
+PACKAGE = PackageUnderTest("""
+package R
+  model Start
+    parameter Boolean b = true;
+    Real x(start = 0, fixed = true);
+  equation
+    der(x) = 1;
+  end Start;
+  model Falls
+    extends Start;
+  equation
+    if b then
+      when x > 0.5 then
+        reinit(x, 0);
+      end when;
+    else
+      when x > 0.7 then
+        reinit(x, 0);
+      end when;
+    end if;
+  end Falls;
+  model Counts
+    parameter Boolean up = true;
+    Integer n(start = 0, fixed = true);
+  equation
+    if up then
+      when time > 0.5 then
+        n = 1;
+      end when;
+    else
+      when time > 0.7 then
+        n = -1;
+      end when;
+    end if;
+  end Counts;
+  {}
+end R;
+""")
+_N = "discrete Integer n(start = 0, fixed = true);"
+_B = "parameter Boolean b = true;"
+_BC = f"{_B} parameter Boolean c = true;"
+_SET = "when time > {} then n = {}; end when;"
+ONE, TWO, THREE = (_SET.format(0.2 * number, number) for number in (1, 2, 3))
+
+
+@pytest.mark.parametrize(
+    ("declarations", "equations"),
+    [
+        (f"{_B} {_N}", f"if b then {ONE} else {TWO} end if;"),
+        (f"{_BC} {_N}", f"if b then {ONE} elseif c then {TWO} else {THREE} end if;"),
+        (f"{_BC} {_N}", f"if b then {ONE} else if c then {TWO} else {THREE} end if; end if;"),
+        ("extends Start;", 'if b then assert(x < 2, "a"); else assert(x < 3, "b"); end if;'),
+        ("extends Start;", 'if x > 1 then assert(x < 2, "a"); end if;'),
+        ("extends Start; Boolean u = time > 1;", 'if u then assert(x < 2, "a"); end if;'),
+        ("extends Start; Real y;", 'if x > 1 then y = 1; assert(x < 2, "a"); else y = 2; end if;'),
+        ("extends Start; Boolean u = x > 1;", 'if b then if u then assert(x < 2, "a"); end if; end if;'),
+        ("extends Start;", 'if b then when x > 1 then terminate("a"); end when; '
+         'else when x > 2 then terminate("b"); end when; end if;'),
+        ("Falls a;", ""),
+        ("Counts a[2];", ""),
+        ("Counts a(final up = true); Counts b;", ""),
+    ],
+)  # fmt: skip
+def test_clauses_that_would_be_left_out_are_refused(
+    declarations: str, equations: str, tmp_path: Path
+) -> None:
+    """All of them ran without the clause, without a word."""
+    model = f"model M {declarations} equation {equations} end M;"
+    PACKAGE.refusal(tmp_path, model, r"R\.mo:\d+:\d+: a when-clause or an assertion in this if-equation")
+
+
+@pytest.mark.parametrize(
+    ("declarations", "equations", "expected"),
+    [
+        (f"final {_B} {_N}", f"if b then {ONE} else {TWO} end if;", {"n": 1}),
+        (f"final {_B} {_N}", f"if not b then {ONE} else {TWO} end if;", {"n": 2}),
+        (f"{_B} {_N}", f"if b then {ONE} end if;", {"n": 1}),
+        (f"{_B} {_N}", f"if not b then {ONE} end if;", {"n": 0}),
+        (f"{_BC} {_N}", f"if not b then {ONE} elseif c then {TWO} end if;", {"n": 2}),
+        (f"{_B} {_N} Real y;", f"if b then {ONE} y = 1; else y = 2; end if;", {"n": 1, "y": 1}),
+        ("Counts a(final up = true), b[2](each final up = false);", "", {"a.n": 1, "b[2].n": -1}),
+    ],
+)  # fmt: skip
+def test_other_clauses_are_kept(
+    declarations: str, equations: str, expected: dict[str, float], tmp_path: Path
+) -> None:
+    model = f"model M Real t(start = 0, fixed = true); {declarations} equation der(t) = 1; {equations} end M;"
+    assert PACKAGE.values(tmp_path, model, expected) == expected
+
+
+def test_other_assertions_are_kept(tmp_path: Path) -> None:
+    for equation in (
+        'if b then assert(x < 0.5, "large"); end if;',
+        'assert(if b then x < 0.5 else true, "large");',
+    ):
+        model = f"model M extends Start; equation {equation} end M;"
+        with pytest.raises(SimulationError, match="large"):
+            PACKAGE.values(tmp_path, model, ["x"])
