@@ -46,10 +46,11 @@ def with_noise_of(problem: Problem, x: FloatArray, settings: FitSettings, least:
 
 def has_settled(before: Problem, after: Problem, settings: FitSettings) -> bool:
     """Whether the noise of `after` would leave the minimum where it is."""
-    # A common factor of all levels does not move the minimum.
     ratios = _levels(after, settings) / _levels(before, settings)
+    # A common factor of all levels moves the minimum only where prior knowledge counts beside the samples.
+    factor = ratios[:1] if len(after.prior) == 0 else np.ones(1)
     return (
-        bool(np.allclose(ratios, ratios[:1], rtol=_LEVEL_CHANGE, atol=0.0))
+        bool(np.allclose(ratios, factor, rtol=_LEVEL_CHANGE, atol=0.0))
         and _change_of_shares(before.noise, after.noise) < _SHAPE_CHANGE
         and abs(after.noise.correlation - before.noise.correlation) < _SHAPE_CHANGE
     )
@@ -115,7 +116,7 @@ def _change_of_shares(before: NoiseModel, after: NoiseModel) -> float:
 
 
 def _levels(problem: Problem, settings: FitSettings) -> FloatArray:
-    """Standard deviation of each series of each record, up to a common factor."""
+    """Standard deviation of each series of each record; 1 if the settings give them."""
     if settings.noise.sigma:
         return np.ones(1)
     found = []

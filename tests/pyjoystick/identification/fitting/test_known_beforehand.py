@@ -107,6 +107,20 @@ def test_the_hysteresis_tells_both_frictions_apart(fmus_by_name: Path) -> None:
     )
 
 
+def test_a_measured_value_and_the_records_count_by_their_errors(fmus_by_name: Path) -> None:
+    """Their weighted mean, whatever the noise was taken to be when the search began."""
+    records = releases(NOMINAL, 2, noise=NOISE)
+    settings = dataclasses.replace(
+        CONSTANT_DAMPING, free=(*CONSTANT_DAMPING.free, Free("J")), uncertainty=Uncertainty(profiles=())
+    )
+    alone = fit(records, settings)
+    error = alone.error("J")
+    measured = alone.value("J") + 2.0 * error
+    found = fit(records, with_known(settings, {"J": measured}, {"J": error}))
+    assert found.value("J") == pytest.approx(alone.value("J") + error, abs=0.02 * error)
+    assert found.error("J") == pytest.approx(error / math.sqrt(2.0), rel=0.02)
+
+
 def test_what_is_known_precisely_hides_nothing(fmus_by_name: Path) -> None:
     """To know J precisely is to fix it: what else would explain the residuals is the same."""
     records = releases(NOMINAL.replace({"friction.T_c": 0.002}), 2, noise=NOISE)
