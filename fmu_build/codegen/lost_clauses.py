@@ -1,7 +1,8 @@
-"""Reject if-equations whose when-clauses and assertions rumoca leaves out.
+"""Reject equations that rumoca leaves out.
 
-It drops them from branches that have as many equations as the other ones, if a parameter that is not final
-decides between these, and drops assertions in branches that can change during the run.
+It drops when-clauses and assertions from branches of if-equations that have as many equations as the other
+ones, if a parameter that is not final decides between these; assertions in branches that can change during
+the run; and equations that only call a function, or ``terminate()`` outside of a when-clause.
 """
 
 from __future__ import annotations
@@ -14,9 +15,13 @@ from typing import Any
 
 from fmu_build.codegen.compiled import CompiledModel, Span, expressions, is_fixed
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.modelica_source.called_equations import Call, called_equations
 from fmu_build.modelica_source.if_equations import IfEquation, if_equations
 from fmu_build.modelica_source.text import declarations
 
+#: Calls that are equations.
+_KEPT = {"assert", "connect", "reinit"}
+_CHANGING = {"time", "initial", "terminal"}
 _CLAUSE = re.compile(r"(?<![\w.])(?:when|assert|terminate)(?![\w])")
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*")
 
@@ -45,9 +50,24 @@ def reject_lost_clauses(model: LoweredModel) -> None:
                 _require_kept(source, one, kept)
 
 
+def reject_lost_calls(model: LoweredModel) -> None:
+    """Raise `UnsupportedModelError` for the first equation that is a call and has been lost."""
+    for number, (path, text) in model.sources.items():
+        source = _Source(model, number, text, model.classes.plain(Path(path)))
+        for call in called_equations(source.plain):
+            if call.name in _KEPT or call.name.startswith("Connections."):
+                continue
+            if source.instances(call.start, [source.plain[call.start : call.end]]):
+                raise model.unsupported(
+                    f"the equation {call.name}(...) is not supported, because the compiler would leave it "
+                    "out; terminate() belongs in a when-clause, and what a function asserts in the model",
+                    source.span(call),
+                )
+
+
 def _require_kept(source: _Source, one: IfEquation, kept: Sequence[_Kept]) -> None:
     """Raise `UnsupportedModelError` if an instance of the class has lost a clause of an if-equation."""
-    for prefix in source.instances(one):
+    for prefix in source.instances(one.start, [branch.condition for branch in one.branches]):
         lost = source.lost(one, prefix, [clause for clause in kept if clause.belongs_to(prefix)])
         if lost is not None:
             raise source.model.unsupported(
@@ -79,19 +99,19 @@ class _Source:
     text: str
     plain: str
 
-    def span(self, one: IfEquation) -> Span:
-        """Return the bytes of an if-equation."""
+    def span(self, one: IfEquation | Call) -> Span:
+        """Return the bytes of an equation."""
         start, end = self._bytes(one.start, one.end)
         return {"source": self.number, "start": start, "end": end}
 
-    def instances(self, one: IfEquation) -> set[str]:
+    def instances(self, place: int, read: Sequence[str]) -> set[str]:
         """Return the prefixes of the variables of the instances of the class around, such as ``motor.``.
 
         The empty prefix is the model's. It stands for all instances of a class without variables of its own,
-        if the conditions fit any variables.
+        if names in the texts that it reads fit any variables.
         """
         classes = [it for it in declarations(self.text) if not it.in_modifier]
-        around = [it for it in classes if it.start <= one.start < it.end]
+        around = [it for it in classes if it.start <= place < it.end]
         own = max(around, key=lambda it: it.start)
         if own.name == self.model.name:
             return {""}
@@ -106,7 +126,7 @@ class _Source:
                 places = [first <= span["start"] < last for first, last in spans]
                 if places[0] and not any(places[1:]):
                     found.add(name.removesuffix(last))
-        names = {name for branch in one.branches for name in _NAME.findall(branch.condition)}
+        names = {name for one in read for name in _NAME.findall(one)}
         return found or ({""} if names & simple else set())
 
     def lost(self, one: IfEquation, prefix: str, kept: Sequence[_Kept]) -> IfEquation | None:
@@ -136,6 +156,6 @@ class _Source:
         for branch in one.branches:
             for name in _NAME.findall(branch.condition):
                 variable: Any = variables.get(f"{prefix}{name}") or variables.get(name)
-                if name == "time" or (variable is not None and not is_fixed(variable)):
+                if name in _CHANGING or (variable is not None and not is_fixed(variable)):
                     return True
         return False

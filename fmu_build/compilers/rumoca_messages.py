@@ -215,6 +215,14 @@ MEANINGS = (
         UnsupportedModelError,
         "loops of functions run over ranges of whole numbers, as 1:n; give other values to an array first",
         (r"\bfor\s+\w+\s+in\s+(?=\{)",),
+        only_there=True,
+    ),
+    Meaning(
+        r"function loop domain",
+        UnsupportedModelError,
+        "a loop of a function whose bounds depend on the arguments is not supported; give it a fixed number "
+        "of passes, and conditions in it",
+        (r"\bfor\s+\w+\s+in\b",),
     ),
     Meaning(
         r"input slot `(?P<name>\w+)` is filled more than once",
@@ -235,7 +243,7 @@ MEANINGS = (
     Meaning(
         r"a discrete-valued equation must have one unsubscripted resolved coordinate as its left-hand side",
         UnsupportedModelError,
-        "an equation in which an unknown has a factor that only events change is taken for a discrete one; "
+        "an equation for an unknown that stands beside an Integer or a Boolean is taken for a discrete one; "
         "solve it for the unknown, as x = time/n",
     ),
     Meaning(
@@ -361,6 +369,13 @@ MEANINGS = (
         "index",
         (r"\bInteger\s*\(",),
         "Integer(...)",
+        only_there=True,
+    ),
+    Meaning(
+        r"construction rejected an invalid operation: expected a numeric expression, found Enumeration",
+        UnsupportedModelError,
+        "max() and min() of enumerations are not supported; use their numbers or if-expressions",
+        (r"\b(?:max|min)\s*\(",),
         only_there=True,
     ),
     Meaning(

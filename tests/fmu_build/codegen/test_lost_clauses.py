@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
 from pyjoystick.support import SimulationError
 from tests.fmu_build.package_under_test import PackageUnderTest
 
@@ -50,6 +52,10 @@ end R;
 _N = "discrete Integer n(start = 0, fixed = true);"
 _B = "parameter Boolean b = true;"
 _BC = f"{_B} parameter Boolean c = true;"
+_BELOW = (
+    'function below input Real x; algorithm assert(x < 0.5, "large"); end below; '
+    "function same input Real x; output Real y; algorithm y := x; end same; "
+)
 _SET = "when time > {} then n = {}; end when;"
 ONE, TWO, THREE = (_SET.format(0.2 * number, number) for number in (1, 2, 3))
 
@@ -78,6 +84,31 @@ def test_clauses_that_would_be_left_out_are_refused(
     """All of them ran without the clause, without a word."""
     model = f"model M {declarations} equation {equations} end M;"
     PACKAGE.refusal(tmp_path, model, r"R\.mo:\d+:\d+: a when-clause or an assertion in this if-equation")
+
+
+@pytest.mark.parametrize(
+    "equations",
+    [
+        "below(x);",
+        "if x > 0.5 then below(x); end if;",
+        "initial equation below(x);",
+        'terminate("end");',
+        'if b then terminate("end"); end if;',
+    ],
+)
+def test_calls_that_would_be_left_out_are_refused(equations: str, tmp_path: Path) -> None:
+    model = f"{_BELOW} model M extends Start; equation {equations} end M;"
+    PACKAGE.refusal(tmp_path, model, r"the equation (?:below|terminate)\(\.\.\.\) is not supported")
+
+
+def test_the_same_calls_elsewhere_are_none_of_these(tmp_path: Path) -> None:
+    equations = (
+        "y = if x < 2 then same(x) else same(0); "
+        'when x > 0.5 then terminate("end"); end when; '
+        'if b then z = same(1); else z = same(2); end if; assert(same(x) < 2, "large");'
+    )
+    model = f"{_BELOW} model M extends Start; Real y, z; equation {equations} end M;"
+    generate_model(BuildRequest("R.M", tmp_path, PACKAGE.write(tmp_path, model)))
 
 
 @pytest.mark.parametrize(

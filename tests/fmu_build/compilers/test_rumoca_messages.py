@@ -574,6 +574,21 @@ _CASES = {
         UnsupportedModelError,
         "loops of functions run over ranges of whole numbers, as 1:n",
     ),
+    "a loop with a computed bound in a function": Case(
+        _function(
+            "n := if x > 1 then 3 else 1; y := 0; for i in 1:n loop y := y + x; end for;",
+            "protected Integer n;",
+        ),
+        "y = f(time);",
+        UnsupportedModelError,
+        "a loop of a function whose bounds depend on the arguments is not supported",
+    ),
+    "the largest of an enumeration": Case(
+        "type E = enumeration(a, b, c); parameter E e = E.b; E f = max(e, E.c);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:59: max() and min() of enumerations are not supported",
+    ),
     "another value for a changed default": Case(
         "function g input Real x; input Real a = 2; output Real y; algorithm y := a*x; end g; "
         "function s = g(a = 5); Real y;",
@@ -598,7 +613,7 @@ _CASES = {
         "Integer n = integer(2*time) + 1; Real x;",
         "n*x = time;",
         UnsupportedModelError,
-        "an equation in which an unknown has a factor that only events change",
+        "an equation for an unknown that stands beside an Integer",
     ),
     "an equation of a matrix of variables": Case(
         "Real a; Real b;",
