@@ -19,8 +19,8 @@ from fmu_build.modelica_source.called_equations import Call, called_equations
 from fmu_build.modelica_source.if_equations import IfEquation, if_equations
 from fmu_build.modelica_source.text import declarations
 
-#: Calls that are equations.
-_KEPT = {"assert", "connect", "reinit"}
+#: What looks like a call of a function and is none.
+_KEPT = {"annotation", "assert", "connect", "reinit"}
 _CHANGING = {"time", "initial", "terminal"}
 _CLAUSE = re.compile(r"(?<![\w.])(?:when|assert|terminate)(?![\w])")
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*")

@@ -105,7 +105,7 @@ def test_the_same_calls_elsewhere_are_none_of_these(tmp_path: Path) -> None:
     equations = (
         "y = if x < 2 then same(x) else same(0); "
         'when x > 0.5 then terminate("end"); end when; '
-        'if b then z = same(1); else z = same(2); end if; assert(same(x) < 2, "large");'
+        'if b then z = same(1); else z = same(2); end if; assert(same(x) < 2, "large"); annotation(Icon());'
     )
     model = f"{_BELOW} model M extends Start; Real y, z; equation {equations} end M;"
     generate_model(BuildRequest("R.M", tmp_path, PACKAGE.write(tmp_path, model)))

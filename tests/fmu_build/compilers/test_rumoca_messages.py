@@ -587,7 +587,7 @@ _CASES = {
         "type E = enumeration(a, b, c); parameter E e = E.b; E f = max(e, E.c);",
         "",
         UnsupportedModelError,
-        "M.mo:2:59: max() and min() of enumerations are not supported",
+        "M.mo:2:61: max() and min() of enumerations are not supported",
     ),
     "another value for a changed default": Case(
         "function g input Real x; input Real a = 2; output Real y; algorithm y := a*x; end g; "
