@@ -9,6 +9,7 @@ from typing import NamedTuple
 from fmu_build.modelica_source.modifiers import closing
 
 _WHEN = re.compile(r"(?<![\w.])when\b.*?\bend\s+when\b", re.DOTALL)
+_MATRIX = re.compile(r"\[[^\[\]]*\]")
 _SECTION = re.compile(r"(?<![\w.])(?P<name>equation|algorithm)\b")
 _CALL = re.compile(
     r"(?P<before>;|\b(?:equation|then|else|loop))\s*(?P<name>[A-Za-z_]\w*(?:\s*\.\s*\w+)*)\s*(?=\()"
@@ -27,13 +28,20 @@ class Call(NamedTuple):
 
 def called_equations(plain: str) -> Iterator[Call]:
     """Yield calls outside of when-clauses from a text without comments and strings, but no statements."""
-    text = _WHEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), plain)
+    text = plain
+    while (inner := _MATRIX.sub(_blank, text)) != text:  # semicolons separate rows, too
+        text = inner
+    text = _WHEN.sub(_blank, text)
     sections = [(found.start(), found["name"]) for found in _SECTION.finditer(text)]
     for found in _CALL.finditer(text):
         end = closing(text, found.end())
         before = [name for place, name in sections if place < found.start("name")]
         if before[-1:] == ["equation"] and text[end:].lstrip()[:1] == ";" and not _in_expression(text, found):
             yield Call("".join(found["name"].split()), found.start("name"), end)
+
+
+def _blank(found: re.Match[str]) -> str:
+    return " " * len(found[0])
 
 
 def _in_expression(text: str, call: re.Match[str]) -> bool:

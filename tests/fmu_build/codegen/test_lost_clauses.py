@@ -107,7 +107,8 @@ def test_the_same_calls_elsewhere_are_none_of_these(tmp_path: Path) -> None:
         'when x > 0.5 then terminate("end"); end when; '
         'if b then z = same(1); else z = same(2); end if; assert(same(x) < 2, "large"); annotation(Icon());'
     )
-    model = f"{_BELOW} model M extends Start; Real y, z; equation {equations} end M;"
+    declarations = "Real y, z; Real v[2] = [1, 2; same(x), 3] * {1, 1};"
+    model = f"{_BELOW} model M extends Start; {declarations} equation {equations} end M;"
     generate_model(BuildRequest("R.M", tmp_path, PACKAGE.write(tmp_path, model)))
 
 
