@@ -21,6 +21,8 @@ from fmu_build.modelica_source.text import declarations
 
 #: What looks like a call of a function and is none.
 _KEPT = {"annotation", "assert", "connect", "reinit"}
+#: Messages, as that of LimPID on a wrong y_start, change no number.
+_HARMLESS = re.compile(r"^Connections\.|(?:^|\.)Streams\.(?:error|print)$")
 _CHANGING = {"time", "initial", "terminal"}
 _CLAUSE = re.compile(r"(?<![\w.])(?:when|assert|terminate)(?![\w])")
 _NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*")
@@ -55,7 +57,7 @@ def reject_lost_calls(model: LoweredModel) -> None:
     for number, (path, text) in model.sources.items():
         source = _Source(model, number, text, model.classes.plain(Path(path)))
         for call in called_equations(source.plain):
-            if call.name in _KEPT or call.name.startswith("Connections."):
+            if call.name in _KEPT or _HARMLESS.search(call.name):
                 continue
             if source.instances(call.start, [source.plain[call.start : call.end]]):
                 raise model.unsupported(
