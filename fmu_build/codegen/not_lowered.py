@@ -144,6 +144,10 @@ def _vanishing_derivatives(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     )
 
 
+def _failed_assertions(_: CompiledModel, __: re.Match[str]) -> Obstacles:
+    yield "an assertion of a function fails with the values of the parameters", None
+
+
 def _nested_arrays(_: CompiledModel, __: re.Match[str]) -> Obstacles:
     yield (
         "an array parameter cannot give each element of an array of components an array of its own; "
@@ -186,6 +190,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("coupled discrete Real", _discrete_loops),
     ("clock activation owners", _partly_sampled_clauses),
     ("matrix power", _matrix_powers),
+    ("function assertion failed", _failed_assertions),
     ("structured B.1c body", _discrete_arrays_in_loops),
     (r"index (-?\d+) is outside an axis of extent (\d+)", _absent_elements),
     ("one subscript per array dimension", _nested_arrays),

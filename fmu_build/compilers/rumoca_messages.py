@@ -211,6 +211,32 @@ MEANINGS = (
         (r"\([\w\s,.]*,[\w\s,.]*\)\s*=(?!=)",),
     ),
     Meaning(
+        r"selected redeclare class is absent",
+        UnsupportedModelError,
+        "redeclaring a type with attributes in a modifier is not supported; declare the type and name it: "
+        "redeclare type T = Other",
+        (r"\bredeclare\s+type\s+\w+",),
+    ),
+    Meaning(
+        r"`(?P<name>\w+)` cannot be evaluated: type mismatch: expected Integer, got Real",
+        UnsupportedModelError,
+        "the value of {name} is a range of numbers that are not whole, which is not supported; write it out",
+        (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?=[^;:]*:",),
+        only_there=True,
+    ),
+    Meaning(
+        r"an assertion level must name a predefined",
+        UnsupportedModelError,
+        "the level of an assertion cannot be a parameter; write AssertionLevel.error or .warning",
+        (r"\bAssertionLevel\s+\w+",),
+    ),
+    Meaning(
+        r"unsupported function '(?P<name>[^']+)' in when-equation",
+        UnsupportedModelError,
+        "calling the function {name} alone in a when-clause is not supported; use its result, or write its "
+        "assertions there",
+    ),
+    Meaning(
         r"function loop domain",
         UnsupportedModelError,
         "loops of functions run over ranges of whole numbers, as 1:n; give other values to an array first",

@@ -589,6 +589,31 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:61: max() and min() of enumerations are not supported",
     ),
+    "a type redeclared with attributes": Case(
+        "model A replaceable type T = Real(start = 1, fixed = true); T x; equation der(x) = -x; end A; "
+        "A a(redeclare type T = Real(start = 3, fixed = true));",
+        "",
+        UnsupportedModelError,
+        "redeclaring a type with attributes in a modifier is not supported",
+    ),
+    "a range of numbers that are not whole": Case(
+        "parameter Real k = 2; parameter Real r[:] = 0.0:0.5:k; Real s;",
+        "s = sum(r);",
+        UnsupportedModelError,
+        "M.mo:2:40: the value of r is a range of numbers that are not whole",
+    ),
+    "the level of an assertion": Case(
+        "parameter AssertionLevel lv = AssertionLevel.error;",
+        'assert(time < 5, "late", lv);',
+        UnsupportedModelError,
+        "M.mo:2:13: the level of an assertion cannot be a parameter",
+    ),
+    "a call in a when-clause": Case(
+        'function f input Real x; algorithm assert(x < 1, "large"); end f;',
+        "when time > 0.5 then f(time); end when;",
+        UnsupportedModelError,
+        "M.mo: calling the function f alone in a when-clause is not supported",
+    ),
     "another value for a changed default": Case(
         "function g input Real x; input Real a = 2; output Real y; algorithm y := a*x; end g; "
         "function s = g(a = 5); Real y;",
