@@ -91,6 +91,13 @@ MEANINGS = (
         only_there=True,
     ),
     Meaning(
+        r"unresolved Flat reference `\w+`|an assertion level must name a predefined",
+        UnsupportedModelError,
+        "the level of an assertion cannot be a parameter; write AssertionLevel.error or .warning",
+        (r"\bAssertionLevel\s+\w+",),
+        only_there=True,
+    ),
+    Meaning(
         r"unresolved Flat reference `(?P<name>\w+)`",
         UnsupportedModelError,
         "a function of {name} inside of a sum, product, max or min over {name} is not supported; give its "
@@ -223,12 +230,6 @@ MEANINGS = (
         "the value of {name} is a range of numbers that are not whole, which is not supported; write it out",
         (r"(?<![\w.])NAME\s*(?:\[[^\[\]]*\]\s*)?=[^;:]*:",),
         only_there=True,
-    ),
-    Meaning(
-        r"an assertion level must name a predefined",
-        UnsupportedModelError,
-        "the level of an assertion cannot be a parameter; write AssertionLevel.error or .warning",
-        (r"\bAssertionLevel\s+\w+",),
     ),
     Meaning(
         r"unsupported function '(?P<name>[^']+)' in when-equation",
