@@ -196,7 +196,7 @@ def _options(
     ] = 0,
 ) -> None:
     if quiet and verbose:
-        raise typer.BadParameter("give --quiet or --verbose")
+        raise typer.BadParameter("use --quiet or --verbose, not both")
     invocation.debug, invocation.implausible, invocation.quiet = debug, implausible, quiet
     if verbose:
         from pyjoystick.cli.logs import log_shown  # load it for --verbose only

@@ -120,5 +120,5 @@ def _checked(file: Path) -> tuple[str, list[PyJoystickError]]:
     kind = max(kinds, key=lambda one: len(keys & set(one.tables)))
     if not keys & set(kind.tables):
         names = "; ".join(f"{one.name}: {', '.join(one.tables)}" for one in kinds)
-        raise InputFileError(file, f"has no table of a file that is known ({names})")
+        raise InputFileError(file, f"contains no table that shows what kind of file it is ({names})")
     return kind.name, support.mistakes(file, kind.read, kind.example)

@@ -212,11 +212,11 @@ def _known(
 def _check_choice(file: Path | None, law: model.LawName | None, *, is_driven: bool, friction: bool) -> None:
     """Reject options that the settings file decides."""
     if file is not None and law is not None:
-        raise typer.BadParameter("give --settings or --damping: the settings name the FMU")
+        raise typer.BadParameter("use --settings or --damping, not both: the settings name the FMU")
     if file is not None and is_driven:
-        raise typer.BadParameter('give --settings or --driven: the settings say inputs = ["T"]')
+        raise typer.BadParameter('use --settings or --driven, not both: the settings say inputs = ["T"]')
     if file is not None and friction:
-        raise typer.BadParameter("give --settings or --friction: the settings name the FMU")
+        raise typer.BadParameter("use --settings or --friction, not both: the settings name the FMU")
 
 
 def _check_file(

@@ -39,7 +39,7 @@ def opened(
     file = parameter_file(parameters)
     changes = parse_assignments(assignments, "--set")
     if law is not None and name is not None:
-        raise typer.BadParameter("give --damping or --fmu: an FMU has its own damping law")
+        raise typer.BadParameter("use --damping or --fmu, not both: an FMU has its own damping law")
     if name is None:
         joystick = joystick_of(law, changes, file)
         with fmu.Fmu(found_or_built(runs.fmu_of_joystick(joystick))) as one:

@@ -104,7 +104,7 @@ def run(
     if (rests is None) != (parameters is None):
         raise typer.BadParameter("give --rests and --parameters together")
     if middle and radius is not None:
-        raise typer.BadParameter("give --middle or --radius: the pivot is one or the other")
+        raise typer.BadParameter("use --middle or --radius, not both: the pivot is one or the other")
     require_length("--radius", radius)
     check_outputs(record_file, motion_file, json)
     setup = laboratory.MarkerSetup(

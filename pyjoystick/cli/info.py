@@ -38,8 +38,7 @@ def run(
         str,
         typer.Argument(
             metavar="FMU",
-            help="Path of any .fmu file, or Joystick, JoystickPowerLaw, JoystickFriction, "
-            "JoystickFrictionPowerLaw, JoystickInverse or JoystickInversePowerLaw.",
+            help=f"Path of any .fmu file, or one of {', '.join(fmu.MODELS)}.",
         ),
     ],
     everything: Annotated[bool, typer.Option("--all", help="Also show local variables.")] = False,

@@ -10,7 +10,7 @@ from pyjoystick import model
 from pyjoystick.cli.console import print_note
 from pyjoystick.cli.invocation import invocation
 
-_INSIST: Final = "pyjoystick --implausible COMMAND takes it as it is."
+_INSIST: Final = "pyjoystick --implausible COMMAND accepts it."
 
 
 def require_plausible(values: Mapping[str, float], *, options: Mapping[str, str] | None = None) -> None:

@@ -99,12 +99,15 @@ def run(
 ) -> None:
     """Run an FMU for many values of its parameters, as described in a settings file.
 
-    Progress is saved: after Ctrl-C or a crash, the same command continues where it stopped. Failed runs are
+    Progress is saved: after Ctrl-C or a crash, the same command (without --overwrite) continues where it
+    stopped. Failed runs are
     counted and listed in the results with their messages. The exit code is 1 only if every run failed, 130
     after Ctrl-C, and 143 after SIGTERM.
     """
     if threads is not None and scheduler is not None:
-        raise typer.BadParameter("give --threads or --scheduler: the workers choose their own threads")
+        raise typer.BadParameter(
+            "use --threads or --scheduler, not both: the workers choose their own threads"
+        )
     figures = plots or [], scatters or []
     target = target or settings.with_suffix(".csv")
     check_outputs(target, *figures[0], *figures[1], indices)
@@ -121,7 +124,7 @@ def run(
             on_progress=bar.show,
             on_note=bar.note,
         )
-    _print_outcome(sweep, outcome)
+    _print_outcome(sweep, outcome, overwrite=overwrite)
     if outcome.table is None:
         raise typer.Exit(INTERRUPTED)
     if outcome.failed == outcome.done:
@@ -146,7 +149,7 @@ def _check(sweep: runs.Sweep, names: Sequence[str], indices: Path | None) -> Non
             raise UnknownVariableError(name, sweep.columns)
 
 
-def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome) -> None:
+def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome, *, overwrite: bool) -> None:
     total = len(sweep.design)
     fmu = sweep.settings.fmu.path.name
     title = f"{sweep.settings.title}: " if sweep.settings.title else ""
@@ -156,7 +159,8 @@ def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome) -> None:
     for line in _failures(outcome.messages):
         console.print(escape(line))
     if outcome.interrupted:
-        print_warning("interrupted; finished runs are kept, and the same command continues from here")
+        command = "the command without --overwrite" if overwrite else "the same command"
+        print_warning(f"interrupted; finished runs are kept, and {command} continues from here")
     elif outcome.found == total:
         print_progress(f"{outcome.path} was already complete; nothing was run")
     else:

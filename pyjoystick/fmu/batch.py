@@ -114,15 +114,18 @@ class Batch:
         Raises:
             FmuFileError: the FMU cannot be instantiated even once
         """
-        runners = self._runners(threads)
-        self._working = self._threads = len(runners)
+        waiting = self._runners(threads)
+        self._working = self._threads = len(waiting)
         try:
-            for runner in runners:
+            while waiting:
                 # Daemon threads: a step that never ends must not keep the process alive.
-                threading.Thread(target=self._work, args=(runner,), daemon=True).start()
+                threading.Thread(target=self._work, args=(waiting[-1],), daemon=True).start()
+                waiting.pop()
             self._watch(on_progress)
         except BaseException as error:
             self.stop()
+            for runner in waiting:
+                self._finish(runner)
             self._wait_a_little()
             if not isinstance(error, KeyboardInterrupt):
                 raise
@@ -134,12 +137,18 @@ class Batch:
         return is_stopped
 
     def _runners(self, threads: int) -> list[AnyRunner]:
-        runners = [self._new_runner()]
-        while len(runners) < threads:
-            try:
+        runners: list[AnyRunner] = []
+        try:
+            while len(runners) < threads:
                 runners.append(self._new_runner())
-            except PyJoystickError:
-                break  # an FMU that allows fewer instances runs on fewer threads
+        except PyJoystickError:
+            if not runners:
+                raise
+            # An FMU that allows fewer instances runs on fewer threads.
+        except BaseException:
+            for runner in runners:
+                runner.close()
+            raise
         return runners
 
     def _watch(self, on_progress: OnProgress | None) -> None:
@@ -168,11 +177,14 @@ class Batch:
             self._error = error
             self.stop()
         finally:
-            runner.close()
-            with self._lock:
-                self._working -= 1
-                if not self._working:
-                    self._finished.set()
+            self._finish(runner)
+
+    def _finish(self, runner: AnyRunner) -> None:
+        runner.close()
+        with self._lock:
+            self._working -= 1
+            if not self._working:
+                self._finished.set()
 
     def _piece(self) -> tuple[int, int] | None:
         """The next runs for a thread: many at first, few at the end, so that all threads end together."""

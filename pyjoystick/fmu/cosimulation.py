@@ -332,7 +332,9 @@ class Fmu(Shown):
     def _steppable(self) -> InstancePool | ProcessPool:
         """The pool, for operations that a sandbox does not support."""
         if isinstance(self._pool, SandboxPool):
-            raise UnsupportedFmuError(self.description.path, "is in a sandbox, which does whole runs only")
+            raise UnsupportedFmuError(
+                self.description.path, "runs in a sandbox, which supports only whole runs"
+            )
         return self._pool
 
 

@@ -242,8 +242,10 @@ class InstancePool(Pool[Instance]):
 
     def close(self) -> None:
         """See `Pool`."""
-        if self._second is not None:
-            self._second.close()
+        with self._state:
+            second = self._second
+        if second is not None:
+            second.close()
         super().close()
 
     def _make(self) -> Instance:

@@ -40,7 +40,7 @@ def require_at_most(path: Path, what: str, number: int, limit: int) -> None:
     most = int(allowed(limit))
     if number > most:
         advice = f"{LIMITS_VARIABLE}=10 in the environment allows ten times as much"
-        raise FmuFileError(path, f"{what.format(number)}: at most {most} are taken ({advice})")
+        raise FmuFileError(path, f"{what.format(number)}: at most {most} are allowed ({advice})")
 
 
 def allowed(limit: float) -> float:

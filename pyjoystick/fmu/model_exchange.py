@@ -146,7 +146,7 @@ def input_signals(description: FmuDescription, table: InputTable) -> NDArray[Any
     variables = [description.variables[name] for name in description.names("input")]
     for one in variables:
         if one.type == "String" and one.name in table.columns:
-            raise ParameterError(one.name, "text", "left out: Model Exchange is given no texts")
+            raise ParameterError(one.name, "text", "left out: Model Exchange does not support text inputs")
     variables = [one for one in variables if one.type in stored and one.type != "String" and not one.is_array]
     types = [
         ("time", np.dtype(np.float64)),

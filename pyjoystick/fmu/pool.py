@@ -30,7 +30,7 @@ class Pool(ABC, Generic[T]):
     def __init__(self, description: FmuDescription) -> None:
         """Make the first member, to verify that the FMU can be run; closes the pool if it cannot."""
         self.description = description
-        self._process = os.getpid()
+        self._process = self._maker = os.getpid()
         self._state = threading.Condition()
         self._taken = 0
         self._closed = False
@@ -54,8 +54,7 @@ class Pool(ABC, Generic[T]):
             if self._closed:
                 raise PyJoystickError(f"{self.description.path} has been closed")
             self._taken += 1
-            if not self.survives_fork and os.getpid() != self._process:
-                self._idle.clear()
+            self._leave_those_of_the_parent()
             one = self._idle.pop() if self._idle else None
         if one is not None:
             return one
@@ -85,12 +84,13 @@ class Pool(ABC, Generic[T]):
 
     def close(self) -> None:
         """Free idle members now and the others when they are given back; may be called more than once."""
-        if os.getpid() != self._process:
-            return  # forked: the unpacked files belong to the parent
+        if os.getpid() != self._process and self.survives_fork:
+            return  # forked: the members and the unpacked files belong to the parent
         with self._state:
             if self._closed:
                 return
             self._closed = True
+            self._leave_those_of_the_parent()
             while self._idle:
                 self._free(self._idle.pop())
             self._put_away_if_unused()
@@ -106,8 +106,15 @@ class Pool(ABC, Generic[T]):
             self._put_away_if_unused()
             self._state.notify()
 
+    def _leave_those_of_the_parent(self) -> None:
+        """In a forked process, forget members that do not survive a fork; this process makes its own."""
+        if not self.survives_fork and os.getpid() != self._maker:
+            self._maker = os.getpid()
+            self._idle.clear()
+
     def _put_away_if_unused(self) -> None:
-        if self._closed and not self._taken:
+        # The unpacked files belong to the process that made the pool.
+        if self._closed and not self._taken and os.getpid() == self._process:
             self._put_away()
 
     @abstractmethod

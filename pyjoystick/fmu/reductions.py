@@ -50,7 +50,7 @@ class Peaks:
         variable: the series
         count: number of peaks to keep, from 1 to 10,000
         derivative: variable that is its time derivative (``omega`` for ``theta``), which must be recorded as
-            well; if empty, peaks are found from the samples alone
+            well; if None, peaks are found from the samples alone
         minimum_height: peaks with a smaller absolute value are ignored
         minimum_prominence: see `find_peaks`
     """

@@ -143,7 +143,8 @@ def _cubic_extremum(
     rise = value[i + 1] - value[i]
     # The slope of the cubic is start + 2*b*s + 3*a*s^2, s from 0 to 1, with a single zero in this range.
     a, b = start + end - 2.0 * rise, 3.0 * rise - 2.0 * start - end
-    root = math.sqrt(b * b - 3.0 * a * start)
+    # Its discriminant b^2 - 3*a*start, in a form that rounding errors do not make negative.
+    root = math.sqrt((b + start) ** 2 - start * end)
     s = -start / (b - sign * root)
     return time[i] + s * spacing, value[i] + s * (start + s * (b + s * a))
 

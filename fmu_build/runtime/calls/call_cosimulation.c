@@ -16,7 +16,7 @@ Status call_get_output_derivatives(Instance *instance, const unsigned *reference
         if (variable == NULL)
             return STATUS_ERROR;
         if (orders[i] != 1)
-            return call_refuse(instance, "derivatives of order %d are asked for; known are those of order 1.", orders[i]);
+            return call_refuse(instance, "derivatives of order %d were requested; only order 1 is available.", orders[i]);
         if (variable->causality != CAUSALITY_OUTPUT ||
             !evaluation_time_derivative(instance, variable, &values[i]))
             return call_refuse(instance, "the derivative of \"%s\" is not known.", variable->name);

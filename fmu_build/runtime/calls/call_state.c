@@ -7,7 +7,7 @@ Status call_get_state(const Instance *instance, void **state)
         return STATUS_ERROR;
     SavedState *saved = *state;
     if (!state_save(instance, &saved))
-        return call_refuse(instance, "memory is short.");
+        return call_refuse(instance, "out of memory.");
     *state = saved;
     return STATUS_OK;
 }

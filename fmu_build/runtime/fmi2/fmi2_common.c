@@ -56,7 +56,7 @@ fmi2Component fmi2Instantiate(fmi2String instanceName, fmi2Type fmuType, fmi2Str
     if (why == NULL) {
         component = create_component(instanceName, fmuType, functions, loggingOn != fmi2False);
         if (component == NULL)
-            why = "Memory is short.";
+            why = "Out of memory.";
     }
     if (why != NULL && functions->logger != NULL)
         functions->logger(functions->componentEnvironment, instanceName != NULL ? instanceName : "", fmi2Error,

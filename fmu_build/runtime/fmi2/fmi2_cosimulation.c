@@ -20,7 +20,7 @@ fmi2Status fmi2SetRealInputDerivatives(fmi2Component c, const fmi2ValueReference
         else if (!isfinite(value[i]))
             why = "a finite number is needed";
         else if (variable->causality != CAUSALITY_INPUT || variable->variability != VARIABILITY_CONTINUOUS)
-            why = "it is no continuous input";
+            why = "it is not a continuous input";
         if (why != NULL)
             return fmi2_status(call_refuse(instance, "variable \"%s\", derivative %g of order %d: %s.", variable->name,
                                            value[i], order[i], why));

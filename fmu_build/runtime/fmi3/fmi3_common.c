@@ -53,7 +53,7 @@ fmi3Instance fmi3InstantiateModelExchange(fmi3String instanceName, fmi3String in
     const char *why = call_fault_of_creation(instanceName, instantiationToken);
     Component *component = why != NULL ? NULL : create(false, instanceEnvironment, logMessage, loggingOn);
     if (component == NULL)
-        return refuse_creation(instanceEnvironment, logMessage, why != NULL ? why : "Memory is short.");
+        return refuse_creation(instanceEnvironment, logMessage, why != NULL ? why : "Out of memory.");
     return component;
 }
 
@@ -71,7 +71,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String instanceName, fmi3String ins
     const char *why = call_fault_of_creation(instanceName, instantiationToken);
     Component *component = why != NULL ? NULL : create(true, instanceEnvironment, logMessage, loggingOn);
     if (component == NULL)
-        return refuse_creation(instanceEnvironment, logMessage, why != NULL ? why : "Memory is short.");
+        return refuse_creation(instanceEnvironment, logMessage, why != NULL ? why : "Out of memory.");
     component->instance->attendance.event_mode = eventModeUsed;
     component->instance->attendance.early_return = earlyReturnAllowed;
     component->intermediate_update = intermediateUpdate;

@@ -49,7 +49,7 @@ static const char *fault(fmi3ValueReference reference)
     const Variable *variable = &model.variables[reference];
     if (variable->type != TYPE_REAL || variable->variability != VARIABILITY_CONTINUOUS ||
         (variable->causality != CAUSALITY_INPUT && variable->causality != CAUSALITY_OUTPUT))
-        return "A required intermediate variable is no continuous input or output.";
+        return "A required intermediate variable is not a continuous input or output.";
     return NULL;
 }
 
@@ -69,7 +69,7 @@ const char *intermediate_attend(Component *component, const fmi3ValueReference v
     }
     component->intermediate = malloc((n + 1) * sizeof *variables);
     if (component->intermediate == NULL)
-        return "Memory is short.";
+        return "Out of memory.";
     if (n > 0)
         memcpy(component->intermediate, variables, n * sizeof *variables);
     component->n_intermediate = n;
@@ -99,7 +99,7 @@ bool intermediate_allows(const Component *component, bool setting, const fmi3Val
     }
     for (size_t i = 0; i < n; ++i) {
         if (!is_listed(component, variables[i])) {
-            call_refuse(instance, "value reference %u is none of the required intermediate variables.",
+            call_refuse(instance, "value reference %u is not among the required intermediate variables.",
                         (unsigned)variables[i]);
             return false;
         }

@@ -188,7 +188,7 @@ static bool begin(Tangents *tangents, Instance *instance, const Partials *partia
     if (tangents->initial && !model.has_initial_tangents)
         return fail(instance, "a when-clause may act in the initialization");
     if (!allocate(tangents))
-        return fail(instance, "memory is short");
+        return fail(instance, "out of memory");
     if (!copy_point(tangents, instance))
         return false;
     return !tangents->initial || factor_initial_equations(tangents) ||

@@ -105,7 +105,7 @@ typedef struct {
     size_t block_count;
 } Instance;
 
-/* Returns NULL if memory is short. */
+/* Returns NULL if memory runs out. */
 Instance *instance_create(bool co_simulation, const Face *face, const Log *log);
 void instance_free(Instance *instance);
 

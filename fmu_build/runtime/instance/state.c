@@ -243,7 +243,7 @@ SavedState *state_read(const Instance *instance, const void *bytes, size_t size)
     if (why == NULL) {
         state = malloc(size);
         if (state == NULL) {
-            why = "memory is short";
+            why = "out of memory";
         } else {
             memcpy(state, bytes, size);
             why = checksum(state) != header.checksum ? "its content is damaged" : fault_of_content(instance, state);

@@ -7,7 +7,7 @@
 
 typedef struct SavedState SavedState;
 
-/* Saves to *state, which is allocated if it is NULL; returns false if memory is short. */
+/* Saves to *state, which is allocated if it is NULL; returns false if memory runs out. */
 bool state_save(const Instance *instance, SavedState **state);
 /* Returns false, after a message, if the state was saved by the other FMI type (Model Exchange or Co-Simulation). */
 bool state_restore(Instance *instance, const SavedState *state);

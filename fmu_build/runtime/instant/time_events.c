@@ -64,7 +64,7 @@ double event_next_time(const Values *values)
         return next;
     double *when = malloc(model.n_time_events * sizeof(double));
     if (when == NULL)
-        return values->time; /* triggers an event at once, which reports that memory is short */
+        return values->time; /* triggers an event at once, which reports the lack of memory */
     model_time_events(values->p, when);
     for (size_t i = 0; i < model.n_time_events; ++i) {
         if (when[i] > time_just_after(values->time))

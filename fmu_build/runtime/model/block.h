@@ -10,7 +10,7 @@
 bool block_solve(const Block *block, double time, double *y, const double *p);
 
 /* Computes the tangents of the unknowns in place: on entry, `moves` contains the tangents of the residuals at constant
- * unknowns. Returns false if the Jacobian is singular or memory is short. */
+ * unknowns. Returns false if the Jacobian is singular or memory runs out. */
 bool block_tangents(const Block *block, double time, const double *y, const double *p, double *moves);
 
 /* Explains which loop makes model_algebraics or model_tangents fail at this point, and why. Returns `text`, or a

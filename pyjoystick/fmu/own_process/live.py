@@ -31,9 +31,10 @@ class RemoteLiveInstance:
                 self._pool.give_back(self._process)
 
     def abandon(self) -> None:
-        """End the process."""
-        self._process.close()
-        self._pool.give_back(self._process)
+        """End the process; in a forked process, the parent's process is left alone."""
+        if os.getpid() == self._user:
+            self._process.close()
+            self._pool.give_back(self._process)
 
     def __getattr__(self, name: str) -> Any:
         return partial(self._call, name)

@@ -48,7 +48,7 @@ def require_sandbox(description: FmuDescription) -> None:
     """
     path = description.path
     if not description.fmi_version.startswith("2."):
-        reason = f"is an FMU of FMI {description.fmi_version}; a sandbox takes those of FMI 2.0"
+        reason = f"is an FMU of FMI {description.fmi_version}; a sandbox supports only FMI 2.0"
         raise UnsupportedFmuError(path, reason)
     if "CoSimulation" not in description.interfaces:
         raise UnsupportedFmuError(path, "has no CoSimulation interface, which is what a sandbox runs")

@@ -61,7 +61,7 @@ class SandboxRunner:
         program = preparation.program
         if any(group.kind == TEXT for group in (*program.constants, *program.inputs, *program.outputs)):
             raise UnsupportedFmuError(
-                self._path, "has text among its variables; a sandbox passes numbers alone"
+                self._path, "has text among its variables; a sandbox supports only numbers"
             )
         self._pool = pool
         self._job = job

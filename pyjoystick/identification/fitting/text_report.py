@@ -114,7 +114,7 @@ def _known(fit: Fit) -> str:
         if one.uncertainty is not None:
             away = trust.away_from_known(one, x, error)
             says = (
-                "the records say nothing of it"
+                "the records contain no information about it"
                 if away is None
                 else f"the records lie {away:+.1f} standard errors away"
             )

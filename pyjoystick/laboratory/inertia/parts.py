@@ -111,8 +111,8 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
     notes = []
     if abs(off_axis) > _OFF_AXIS * height.value:
         notes.append(
-            f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis, where the model has it: the "
-            "moment of the weight at rest is left out"
+            f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis; the model assumes it on the "
+            "axis and neglects the moment of the weight at rest"
         )
     return PartsResult(mass, height, about_pivot, tuple(notes))
 

@@ -239,7 +239,8 @@ def _turned_back(flat: FloatArray, span: FloatArray, still: NDArray[np.bool_], s
         raise RecordError(
             source,
             f"the base markers are only {1e3 * np.min(length):.1f} mm apart in the plane of motion",
-            "for a moving base place them one behind the other along the motion; else call the base still",
+            "for a moving base, place them one behind the other along the motion; otherwise leave out "
+            "--moving-base",
         )
     turned = _signed(span, span[still].mean(axis=0))
     cos, sin = np.cos(turned), np.sin(turned)

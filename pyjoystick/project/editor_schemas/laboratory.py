@@ -104,7 +104,7 @@ def _markers() -> Schema:
         rest=about(_INTERVAL, "a stretch at rest (s)"),
         rests=about(_SIDE, "side to which the joystick leans at rest"),
         released=about(_SIDE, "side of the release"),
-        unit={"enum": ["m", "cm", "mm"]},
+        unit=about(TEXT, "of the coordinates, if the file gives none: m, cm, mm, um or in"),
     )
 
 

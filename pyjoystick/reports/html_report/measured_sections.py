@@ -73,7 +73,7 @@ def record_section(found: Measurements) -> Section:
             TextTable(header, rows).html("Records; noise and residuals in degrees for angles."),
             figure(
                 plot_residual_distribution(fit),
-                "Residuals of all records: they should be noise, without a course over the angle.",
+                "Residuals of all records: they should look like noise and not depend on the angle.",
                 alt="Residuals over the fitted angle, and their histogram beside a normal distribution.",
             ),
         ],

@@ -103,9 +103,11 @@ def _iterate(network: Network, begin: float, end: float, signals: FloatArray, pa
                 jacobian += np.outer(miss, correction) / (correction @ correction)
             correction = np.asarray(np.linalg.solve(jacobian, -residual), dtype=np.float64)
             at_end = at_end + correction
+        reason = f"no convergence in {_MOST_ITERATIONS} iterations; take shorter steps"
+    except np.linalg.LinAlgError:
+        reason = "the signals of the loop do not determine each other (gain of 1)"
     finally:
         network.forget(saved)
-    reason = f"no convergence in {_MOST_ITERATIONS} iterations; take shorter steps"
     raise CouplingError(network.system.name, f"the step from {begin:g} s to {end:g} s", reason)
 
 

@@ -167,7 +167,8 @@ def _default_instants(
     proposed = first if first.stop_time is not None else second
     start = proposed.start_time or 0.0
     if duration is None:
-        duration = 1.0 if proposed.stop_time is None else proposed.stop_time - start
+        end = proposed.stop_time
+        duration = end - start if end is not None and end > start else 1.0
     if interval is None:
         interval = proposed.step_size or duration / _DEFAULT_STEPS
     return _instants(start, duration, interval)

@@ -298,8 +298,8 @@ def test_what_an_intermediate_update_does_not_allow_ends_the_step(
     ("variables", "has_function", "words"),
     [
         ((99,), True, "does not exist"),
-        ((TAU,), True, "no continuous input or output"),
-        ((GEAR,), True, "no continuous input or output"),
+        ((TAU,), True, "not a continuous input or output"),
+        ((GEAR,), True, "not a continuous input or output"),
         ((LAG_U,), False, "no function for the intermediate update"),
     ],
 )

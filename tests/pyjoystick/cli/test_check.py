@@ -113,7 +113,7 @@ def test_everything_wrong_in_settings(command: Command, tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("a = [", "bad.toml: is not TOML"),
-        ("[other]", "bad.toml: has no table of a file that is known"),
+        ("[other]", "bad.toml: contains no table that shows what kind of file it is"),
         ('[free]\nJ = {}\n[fmu]\npath = "no.fmu"', "no.fmu"),
     ],
 )

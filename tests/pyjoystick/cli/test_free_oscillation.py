@@ -122,7 +122,7 @@ def test_wrong_input_is_one_message_and_writes_nothing(
         (("-a", "steep"), "'steep' is not an angle"),
         (("--set", "J"), "'J' must be NAME=NUMBER"),
         (("--damping", "cubic"), "'cubic' is not one of 'constant', 'power-law'"),
-        (("--damping", "constant", "--fmu", "Joystick"), "give --damping or --fmu"),
+        (("--damping", "constant", "--fmu", "Joystick"), "use --damping or --fmu"),
     ],
 )
 def test_wrong_usage_writes_nothing(

@@ -145,7 +145,7 @@ def test_zero_is_the_middle_of_the_clearance_where_the_side_of_rest_is_known(
         (("--top", "TIP"), 1, "has no marker 'TIP'; did you mean TOP?"),
         (("--forward", "y"), 1, "is not along the direction called forward"),
         (("--cutoff", "400"), 1, "must be below half of the sampling rate"),
-        (("--middle", "--radius", "0.266"), 2, "give --middle or --radius"),
+        (("--middle", "--radius", "0.266"), 2, "use --middle or --radius"),
         (("--released", "left"), 2, "'left' is not one of 'forward', 'backward'"),
     ],
 )

@@ -61,7 +61,7 @@ def test_it_is_refused_by_name_with_what_was_probably_meant(
     assert (outcome.code, outcome.out) == (1, "")
     error = outcome.err.splitlines()[-1]
     assert words in error
-    assert "pyjoystick --implausible COMMAND takes it as it is" in error
+    assert "pyjoystick --implausible COMMAND accepts it" in error
     assert list(tmp_path.iterdir()) == []
 
 

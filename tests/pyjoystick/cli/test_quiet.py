@@ -53,7 +53,7 @@ def test_a_call_does_not_inherit_from_the_one_before(command: Command) -> None:
 def test_quiet_and_verbose_exclude_each_other(command: Command) -> None:
     outcome = command("--quiet", "--verbose", "free-oscillation")
     assert outcome.code == 2
-    assert "give --quiet or --verbose" in outcome.err
+    assert "use --quiet or --verbose, not both" in outcome.err
 
 
 def test_compiling_is_told(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:

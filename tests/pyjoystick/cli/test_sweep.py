@@ -137,6 +137,8 @@ def test_an_interruption_says_how_to_go_on(
     assert outcome.code == 130
     assert outcome.out == "Two by two: 3 of 4 runs of Joystick.fmu done, 1 failed\n  run 2: broke\n"
     assert outcome.err == "interrupted; finished runs are kept, and the same command continues from here\n"
+    outcome = command("sweep", "two.toml", "--overwrite")
+    assert "and the command without --overwrite continues from here" in outcome.err
 
 
 @pytest.mark.parametrize(
@@ -172,4 +174,4 @@ def test_a_mistake_in_the_settings_is_one_message(command: Command, settings: Pa
 def test_threads_and_a_scheduler_are_one_too_many(command: Command, settings: Path) -> None:
     outcome = command("sweep", "two.toml", "--threads", "2", "--scheduler", "tcp://127.0.0.1:9")
     assert outcome.code == 2
-    assert "give --threads or --scheduler" in outcome.err
+    assert "use --threads or --scheduler, not both" in outcome.err

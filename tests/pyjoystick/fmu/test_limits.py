@@ -33,7 +33,7 @@ def test_a_bomb_is_not_unpacked(
 def test_too_many_files(joystick_path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(limits, "MOST_FILES", 3)
     path = doctored(joystick_path, tmp_path / "many.fmu")
-    with pytest.raises(FmuFileError, match=r"contains \d+ files: at most 3 are taken \(PYJOYSTICK_FMU"):
+    with pytest.raises(FmuFileError, match=r"contains \d+ files: at most 3 are allowed \(PYJOYSTICK_FMU"):
         read_description(path)
     monkeypatch.setenv("PYJOYSTICK_FMU_LIMITS", "100")
     assert read_description(path).variables

@@ -28,6 +28,7 @@ from pyjoystick.fmu import (
     stepped,
 )
 from pyjoystick.fmu.own_process.pool import ProcessPool
+from pyjoystick.fmu.own_process.process import OwnProcess
 from pyjoystick.support import ParameterError, PyJoystickError
 from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.awkward import Trouble
@@ -326,3 +327,23 @@ def test_stepped_from_outside_it_may_crash(awkward_path: Path) -> None:
         with pytest.raises(FmuCrashError, match=r"t = 0.1 s: .*SIGABRT"), one.reporting(0.1):
             one.step(0.1, 0.1)
         one.forget(0)
+
+
+@pytest.mark.filterwarnings("ignore:.*fork:DeprecationWarning")
+def test_a_forked_process_keeps_and_ends_processes_of_its_own(awkward_path: Path) -> None:
+    """It made one for each run, and none of them ended."""
+    with Fmu(awkward_path) as fmu:
+        run(fmu, Trouble.NONE)
+        child = os.fork()
+        if not child:
+            code = 1
+            try:
+                for _ in range(3):
+                    run(fmu, Trouble.NONE)
+                (own,) = fmu._pool._idle
+                fmu.close()
+                code = 7 if isinstance(own, OwnProcess) and not own.is_alive else 2
+            finally:
+                os._exit(code)
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+        run(fmu, Trouble.NONE)  # the parent's process is still there

@@ -240,3 +240,11 @@ def test_the_unit_of_the_value_is_that_of_the_table() -> None:
         "time": "s",
         "value": "rad",
     }
+
+
+def test_a_peak_where_the_slope_only_touches_zero() -> None:
+    """The cubic 7.87*(1 - (1 - t)^3)/3 and a slope at its end that rounding errors make negative."""
+    slope = [7.87, -1.3e-32, -7.87]
+    found = find_peaks(np.array([0.0, 1.0, 2.0]), np.array([0.0, 7.87 / 3.0, 0.0]), np.array(slope))
+    assert found["time"].tolist() == pytest.approx([1.0], abs=1e-6)
+    assert found["value"].tolist() == pytest.approx([7.87 / 3.0], rel=1e-12)

@@ -198,7 +198,7 @@ def check_outliers(
     """
     places = found.places()
     if not places:
-        return Check("outliers", True, "no sample is out of line")
+        return Check("outliers", True, "no sample is an outlier")
     largest = sorted(places, key=lambda one: -abs(one[2]))[:_NAMED]
     listed = ", ".join(f"{names[k]} at {times[k][i]:.4g} s ({size:+.1f})" for k, i, size in largest)
     text = f"{len(places)} of {sum(map(len, times))} samples are off by more than {found.limit:.1f} standard "

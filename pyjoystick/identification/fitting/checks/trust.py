@@ -178,7 +178,7 @@ def check_zero(offsets: Sequence[tuple[Variable, float, float]]) -> Check:
     ]
     if off:
         return Check("zero offset", True, f"{', '.join(off)}: the zero of the record is off; corrected")
-    return Check("zero offset", True, "no record has a zero that is off")
+    return Check("zero offset", True, "no record has a significant zero offset")
 
 
 def _amount(one: Variable, value: float) -> str:

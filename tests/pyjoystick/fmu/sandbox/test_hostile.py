@@ -169,7 +169,7 @@ def test_large_modules_are_refused_before_they_are_compiled(
     smuggle: Smuggle, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sandbox_module, "LARGEST_MODULE", 100)
-    with pytest.raises(FmuFileError, match=r"a WebAssembly module of \d+ bytes: at most 100 are taken"):
+    with pytest.raises(FmuFileError, match=r"a WebAssembly module of \d+ bytes: at most 100 are allowed"):
         Fmu(smuggle(module()), sandbox=True)
 
 

@@ -108,14 +108,14 @@ def test_batches_with_failures_and_reductions(native: Fmu, sandboxed: Fmu) -> No
 def test_a_sandbox_survives_pickling(sandboxed: Fmu) -> None:
     with pickle.loads(pickle.dumps(sandboxed)) as again:
         pd.testing.assert_frame_equal(again.run(_TIME), sandboxed.run(_TIME), check_exact=True)
-        with pytest.raises(UnsupportedFmuError, match="is in a sandbox"):
+        with pytest.raises(UnsupportedFmuError, match="runs in a sandbox"):
             again.start()
 
 
 def test_what_a_sandbox_does_not_do(sandboxed: Fmu, visitor: Path) -> None:
-    with pytest.raises(UnsupportedFmuError, match="is in a sandbox, which does whole runs only"):
+    with pytest.raises(UnsupportedFmuError, match="runs in a sandbox, which supports only whole runs"):
         sandboxed.start()
-    with pytest.raises(UnsupportedFmuError, match="is in a sandbox, which does whole runs only"):
+    with pytest.raises(UnsupportedFmuError, match="runs in a sandbox, which supports only whole runs"):
         sandboxed.linearize()
     with pytest.raises(ParameterError, match="own_process = True"):
         Fmu(visitor, sandbox=True, own_process=True)
@@ -128,7 +128,7 @@ def test_fmus_without_a_module(joystick_path: Path, joystick_fmus3: Path) -> Non
         UnsupportedFmuError, match=r"no WebAssembly module .*wasm32/Joystick\.wasm; .*--platform"
     ):
         Fmu(joystick_path, sandbox=True)
-    with pytest.raises(UnsupportedFmuError, match=r"of FMI 3\.0; a sandbox takes those of FMI 2\.0"):
+    with pytest.raises(UnsupportedFmuError, match=r"of FMI 3\.0; a sandbox supports only FMI 2\.0"):
         Fmu(joystick_fmus3 / "Joystick.fmu", sandbox=True)
 
 

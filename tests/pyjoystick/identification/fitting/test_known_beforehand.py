@@ -131,7 +131,7 @@ def test_what_is_known_precisely_hides_nothing(fmus_by_name: Path) -> None:
     for name in ("missing physics", "whiteness"):
         assert checks[0][name] == checks[1][name]
     assert not checks[0]["missing physics"][0]
-    assert f"J {NOMINAL.J:.6g} +- 1e-09 (the records say nothing of it)" in summary(found[1])
+    assert f"J {NOMINAL.J:.6g} +- 1e-09 (the records contain no information about it)" in summary(found[1])
 
 
 def test_the_scale_of_the_load_cell_is_found(fmus_by_name: Path) -> None:
