@@ -113,7 +113,7 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
 
 def _unknown_size(found: re.Match[str]) -> str:
     return (
-        f"the compiler cannot compute the size of {found['name']}, {found['size']}, from the parameters; "
+        f"the size of {found['name']}, {found['size']}, is not a number that the compiler can compute; "
         "declare the array with a number"
     )
 

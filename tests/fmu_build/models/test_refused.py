@@ -38,7 +38,7 @@ class Refusal:
 REFUSALS = (
     Refusal("AssignedTwice", UnsupportedModelError, r"assigned again"),
     Refusal("AtTheEnd", UnsupportedModelError, r"terminal\(\)"),
-    Refusal("BooleanIndex", UnsupportedModelError, r"'x'"),
+    Refusal("BooleanIndex", UnsupportedModelError, r"size of x, Boolean"),
     Refusal("BooleanLoop", ModelicaError, r"`a`"),
     Refusal(
         "ChangedConstants.Columns", UnsupportedModelError, r"Water beside a class that extends it with other"
