@@ -95,7 +95,7 @@ def run(
             metavar="PART",
             help="Relative standard uncertainty of the load cell that measured the springs of --parameters, "
             "such as 0.005: fit a common factor of all spring forces too, and count its calibration as one "
-            "more measurement.",
+            "more measurement. Needs --parameters.",
         ),
     ] = None,
     update: Annotated[

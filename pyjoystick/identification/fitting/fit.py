@@ -21,7 +21,7 @@ from pyjoystick.identification.fitting.assessment import (
 )
 from pyjoystick.identification.fitting.checks.noise_shape import has_settled, with_noise_of
 from pyjoystick.identification.fitting.checks.rivals import Make
-from pyjoystick.identification.fitting.checks.trust import Check, check_profiles
+from pyjoystick.identification.fitting.checks.trust import Check, check_profiles, check_sign
 from pyjoystick.identification.fitting.order import as_given, ordered_records, ordered_settings
 from pyjoystick.identification.fitting.problem.difference_steps import StepChoice, choose_steps
 from pyjoystick.identification.fitting.problem.least_squares import Problem
@@ -240,6 +240,9 @@ def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) 
         profiles, drawn, interrupted = _optional(problem, settings, best, errors, tell)
     if profiles:
         checks.append(check_profiles(labels, profiles))
+    sign = check_sign(variables, found.minima)
+    if sign is not None:
+        checks.append(sign)
     if not found.settled:
         checks.append(_UNSETTLED)
     return Fit(

@@ -221,7 +221,7 @@ def _moving_at_release(motions: Sequence[FittedMotion]) -> Suspect:
     return Suspect(
         "motion at the instant of release",
         each(motions, column),
-        lambda sizes: f"about {math.sqrt(2.0 * slope * sizes[0]):.2g} rad/s",
+        lambda sizes: f"about {math.sqrt(2.0 * slope * sizes[0]):.2g} rad/s, of either sign",
         one_sided=True,
         usual=True,
     )

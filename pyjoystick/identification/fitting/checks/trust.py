@@ -13,7 +13,7 @@ from scipy import stats
 from pyjoystick.identification.fitting.checks.unseen import Unseen
 from pyjoystick.identification.fitting.problem.variables import Variable, Variables
 from pyjoystick.identification.fitting.solution.profile import Profile
-from pyjoystick.identification.fitting.solution.search import Minimum
+from pyjoystick.identification.fitting.solution.search import OF_EITHER_SIGN, Minimum
 from pyjoystick.identification.fitting.solution.uncertainty import Identifiability
 from pyjoystick.support import FloatArray
 
@@ -34,6 +34,8 @@ _LARGE_PEAK_ERROR: Final = 0.2
 _AT_BOUND: Final = 1e-6
 #: A sum of squares lower by this, in variances of the noise, belongs to another minimum.
 _UNDERCUT: Final = 0.01
+#: A minimum that is higher by less, in variances of the noise, cannot be excluded: three standard errors.
+_ALIKE: Final = 9.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,14 +64,34 @@ def check_convergence(minimum: Minimum) -> Check:
 def check_bounds(variables: Variables, x: FloatArray) -> Check:
     """Check whether a variable ended at one of its bounds."""
     at = [
-        f"{one.label} = {value:.6g}"
+        f"{one.label} = {one.minimum if value - one.minimum <= one.maximum - value else one.maximum:.6g}"
         for one, value in zip(variables.free, x, strict=True)
         if min(value - one.minimum, one.maximum - value) <= _AT_BOUND * one.scale
     ]
     message = (
-        f"at a bound: {', '.join(at)}; widen it or fix the parameter" if at else "no variable at a bound"
+        f"at a bound: {', '.join(at)}; widen it, or fit without the parameter"
+        if at
+        else "no variable at a bound"
     )
     return Check("bounds", not at, message)
+
+
+def check_sign(variables: Variables, minima: Sequence[Minimum]) -> Check | None:
+    """Check whether the records determine the sign of a fitted initial velocity; None if none is fitted."""
+    places = [j for j, one in enumerate(variables.free) if one.name == OF_EITHER_SIGN]
+    if not places:
+        return None
+    best, *others = minima
+    for other in others:
+        j = next((j for j in places if other.x[j] * best.x[j] < 0.0), None)
+        if j is not None and other.cost - best.cost < _ALIKE:
+            message = (
+                f"{variables.free[j].label} = {other.x[j]:.3g} explains the records almost as well as "
+                f"{best.x[j]:.3g} (sum of squares larger by {other.cost - best.cost:.2g} variances of the "
+                "noise): give it a bound of 0 on one side, or measure the velocity"
+            )
+            return Check("sign", False, message)
+    return Check("sign", True, "the records determine the sign of the initial velocity")
 
 
 def check_rank(known: Identifiability) -> Check:

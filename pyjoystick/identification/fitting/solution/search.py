@@ -29,6 +29,9 @@ REFINED: Final = 1e-8
 EXACT: Final = 1e-10
 _STEP_TOLERANCE: Final = 1e-10
 
+#: To first order, a velocity of either sign is another time and angle of the release: there are two minima.
+OF_EITHER_SIGN: Final = "omega_start"
+
 #: Called with the number of finished searches and of all searches.
 OnStart = Callable[[int, int], None]
 
@@ -162,7 +165,8 @@ def multi_start(
     """Search from x and from a Latin hypercube over the bounds of the shared variables.
 
     Only shared variables with two finite bounds are spread; the others start at their values in x. If there
-    are exchanges, a last search starts at the best minimum with the variables of each pair exchanged.
+    are exchanges, a search starts at the best minimum with the variables of each pair exchanged. If the
+    initial velocity is fitted, the last search starts where it has the other sign.
 
     Returns:
         the distinct minima, best first, each with the number of searches that ended in it
@@ -176,6 +180,13 @@ def multi_start(
     if wanted.exchanges:
         best = min(minima, key=lambda one: one.cost)
         begun = _exchanged(problem, best.x, wanted.exchanges)
+        merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
+    velocities = [j for j, one in enumerate(problem.variables.free) if one.name == OF_EITHER_SIGN]
+    if velocities:
+        point = min(minima, key=lambda one: one.cost).x
+        turned = np.clip(-point, problem.variables.lower, problem.variables.upper)
+        held = {j: float(turned[j]) for j in velocities}
+        begun = search(problem, point, evaluations=wanted.evaluations, held=held).x
         merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
     return sorted(minima, key=lambda one: one.cost)
 

@@ -158,7 +158,11 @@ _CLIPPED = -0.75 * math.radians(20.0)
             "",
         ),
         (lambda: _records(NOMINAL, clock=1.0002), "an error of the time base", "+0.02 %"),
-        (lambda: _records(NOMINAL, omega=0.5), "motion at the instant of release", "about 0.52 rad/s"),
+        (
+            lambda: _records(NOMINAL, omega=0.5),
+            "motion at the instant of release",
+            "about 0.52 rad/s, of either sign",
+        ),
         (lambda: _shown(lambda theta: 1.001 * theta), "an error of the angle's scale", "+0.1 %"),
         (lambda: _shown(lambda theta: np.maximum(theta, _CLIPPED)), "clipping", "at about -16 deg"),
         (_smoothed, "a low-pass filter", "-3 dB near 13 Hz"),
