@@ -118,9 +118,7 @@ class Batch:
         self._working = self._threads = len(waiting)
         try:
             while waiting:
-                # Daemon threads: a step that never ends must not keep the process alive.
-                threading.Thread(target=self._work, args=(waiting[-1],), daemon=True).start()
-                waiting.pop()
+                self._start(waiting.pop())
             self._watch(on_progress)
         except BaseException as error:
             self.stop()
@@ -135,6 +133,15 @@ class Batch:
         if self._refusal and not is_stopped:
             self._fail_what_is_left()
         return is_stopped
+
+    def _start(self, runner: AnyRunner) -> None:
+        # Daemon threads: a step that never ends must not keep the process alive.
+        thread = threading.Thread(target=self._work, args=(runner,), daemon=True)
+        try:
+            thread.start()
+        except RuntimeError:  # no more threads; after Ctrl-C instead, the thread may be running
+            self._finish(runner)
+            raise
 
     def _runners(self, threads: int) -> list[AnyRunner]:
         runners: list[AnyRunner] = []

@@ -26,6 +26,7 @@ from pyjoystick.fmu import (
     Peaks,
     plan as plan_module,
 )
+from pyjoystick.fmu.batch import Batch
 from pyjoystick.support import ParameterError, UnknownVariableError
 from tests.pyjoystick.fmu import awkward
 from tests.pyjoystick.fmu.awkward import Trouble
@@ -342,6 +343,30 @@ def test_a_step_that_never_ends_does_not_hold_the_batch(awkward_fmu: Fmu, loop: 
     assert not np.isnan(np.delete(batch.values, 20, axis=0)).any()
     # The lost instance is not used again.
     assert not plan.run_batch([(Trouble.NONE, 1.0)] * 4, threads=2).interrupted
+
+
+def test_ctrl_c_while_a_thread_starts_leaves_its_instance_to_it(
+    joystick: Fmu, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An instance that the main thread gave back as well could be freed while it ran."""
+    start, finish = threading.Thread.start, Batch._finish
+    finished: list[object] = []
+
+    def interrupted(thread: threading.Thread) -> None:
+        start(thread)
+        monkeypatch.setattr(threading.Thread, "start", start)
+        raise KeyboardInterrupt
+
+    def counted(batch: Batch, runner: Any) -> None:
+        finished.append(runner)
+        finish(batch, runner)
+
+    monkeypatch.setattr(Batch, "_finish", counted)
+    plan = joystick.plan(TIME, varied=VARIED, outputs=OUTPUTS)
+    monkeypatch.setattr(threading.Thread, "start", interrupted)
+    assert plan.run_batch(np.full((200, len(VARIED)), 0.1), threads=2).interrupted
+    assert len(finished) == 2
+    assert finished[0] is not finished[1]
 
 
 def test_an_empty_table(joystick: Fmu) -> None:
