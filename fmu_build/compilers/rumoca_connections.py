@@ -99,6 +99,14 @@ CONNECTIONS_AND_COUNTS = (
         (r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
         only_there=True,
     ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations with such a function of an array on the "
+        "left: write it on the right, as in 0 = y + f(v) - 1",
+        (r"(?<![\w.])(?:\w+\.)*FUNCTION\s*\((?=[^;=]*=(?!=))",),
+        only_there=True,
+    ),
     Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
     Meaning(
         rf"(?P<all>connector '{QUALIFIED}' is unbalanced: .*)",

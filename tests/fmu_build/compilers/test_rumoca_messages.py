@@ -614,6 +614,13 @@ _CASES = {
         UnsupportedModelError,
         "M.mo: calling the function f alone in a when-clause is not supported",
     ),
+    "a function of an array on the left": Case(
+        "function f input Real u[3]; output Real y; algorithm y := u[1]; end f; "
+        "Real v[3] = {1, time, 2}; Real y;",
+        "2*y + f(v) = 1;",
+        UnsupportedModelError,
+        "it miscounts equations with such a function of an array on the left: write it on the right",
+    ),
     "another value for a changed default": Case(
         "function g input Real x; input Real a = 2; output Real y; algorithm y := a*x; end g; "
         "function s = g(a = 5); Real y;",
