@@ -7,7 +7,7 @@ from typing import Any
 
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.connected_slices import reject_reordered_connections
-from fmu_build.codegen.lost_clauses import reject_lost_calls, reject_lost_clauses
+from fmu_build.codegen.lost_equations import reject_lost_equations
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.member_slices import reject_member_slices
@@ -25,8 +25,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     reject_member_slices(model)
     reject_reordered_connections(model)
     reject_lost_modifiers(model)
-    reject_lost_clauses(model)
-    reject_lost_calls(model)
+    reject_lost_equations(model)
     reject_mistaken_names(model)
     reject_continuous_definitions(model)
 

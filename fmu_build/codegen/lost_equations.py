@@ -15,8 +15,7 @@ from typing import Any
 
 from fmu_build.codegen.compiled import CompiledModel, Span, expressions, is_fixed
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.modelica_source.called_equations import Call, called_equations
-from fmu_build.modelica_source.if_equations import IfEquation, if_equations
+from fmu_build.modelica_source.equations import Call, IfEquation, equations
 from fmu_build.modelica_source.text import declarations
 
 #: What looks like a call of a function and is none.
@@ -40,34 +39,36 @@ class _Kept:
         return not prefix or not self.names or any(name.startswith(prefix) for name in self.names)
 
 
-def reject_lost_clauses(model: LoweredModel) -> None:
-    """Raise `UnsupportedModelError` for the first if-equation that has lost a clause."""
-    if not model.classes.find([r"\bend\s+if\b"]):
-        return
+def reject_lost_equations(model: LoweredModel) -> None:
+    """Raise `UnsupportedModelError` for the first call or if-equation of which something has been lost."""
     kept = list(_kept(model))
     for number, (path, text) in model.sources.items():
         source = _Source(model, number, text, model.classes.plain(Path(path)))
-        for one in if_equations(source.plain):
-            if _CLAUSE.search(source.plain, one.start, one.end):
-                _require_kept(source, one, kept)
+        for one in equations(source.plain):
+            if isinstance(one, Call):
+                _reject_call(source, one)
+            elif _CLAUSE.search(source.plain, one.start, one.end):
+                _require_clauses(source, one, kept)
 
 
-def reject_lost_calls(model: LoweredModel) -> None:
-    """Raise `UnsupportedModelError` for the first equation that is a call and has been lost."""
-    for number, (path, text) in model.sources.items():
-        source = _Source(model, number, text, model.classes.plain(Path(path)))
-        for call in called_equations(source.plain):
-            if call.name in _KEPT or _HARMLESS.search(call.name):
-                continue
-            if source.instances(call.start, [source.plain[call.start : call.end]]):
-                raise model.unsupported(
-                    f"the equation {call.name}(...) is not supported, because the compiler would leave it "
-                    "out; terminate() belongs in a when-clause, and what a function asserts in the model",
-                    source.span(call),
-                )
+def _reject_call(source: _Source, call: Call) -> None:
+    """Raise `UnsupportedModelError` for a call in a class that the model uses."""
+    is_lost = call.name not in _KEPT and not _HARMLESS.search(call.name)
+    if not is_lost or not source.instances(call.start, [source.plain[call.start : call.end]]):
+        return
+    if call.name == "terminate":
+        what = (
+            "terminate() outside of a when-clause is not supported, because the compiler would leave it out"
+        )
+    else:
+        what = (
+            f"calling {call.name}() as an equation is not supported, because the compiler would leave it "
+            "out; write what it asserts in the model"
+        )
+    raise source.model.unsupported(what, source.span(call))
 
 
-def _require_kept(source: _Source, one: IfEquation, kept: Sequence[_Kept]) -> None:
+def _require_clauses(source: _Source, one: IfEquation, kept: Sequence[_Kept]) -> None:
     """Raise `UnsupportedModelError` if an instance of the class has lost a clause of an if-equation."""
     for prefix in source.instances(one.start, [branch.condition for branch in one.branches]):
         lost = source.lost(one, prefix, [clause for clause in kept if clause.belongs_to(prefix)])
@@ -121,13 +122,13 @@ class _Source:
         spans = [self._bytes(it.start, it.end) for it in (own, *inner)]
         found, simple = set(), set()
         for name, variable in self.model.flat["variables"].items():
-            last = name.rpartition(".")[2]
-            simple.add(last)
+            own_name = name.rpartition(".")[2]
+            simple.add(own_name)
             span = variable["source_span"]
             if span is not None and span["source"] == self.number:
                 places = [first <= span["start"] < last for first, last in spans]
                 if places[0] and not any(places[1:]):
-                    found.add(name.removesuffix(last))
+                    found.add(name.removesuffix(own_name))
         names = {name for one in read for name in _NAME.findall(one)}
         return found or ({""} if names & simple else set())
 
