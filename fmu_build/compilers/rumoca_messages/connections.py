@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fmu_build.compilers.rumoca_meaning import QUALIFIED, Meaning
+from fmu_build.compilers.rumoca_messages.meaning import QUALIFIED, Meaning
 from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 _UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
