@@ -11,7 +11,7 @@ import numpy as np
 from scipy.signal import butter, sosfiltfilt
 
 from benchmarks.disturbed_motion import Disturbance, disturbed_motion
-from pyjoystick.identification import SPRING_FORCES
+from pyjoystick.identification import scaled_forces
 from pyjoystick.model import NOMINAL, NOMINAL_POWER_LAW, JoystickParameters
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray
@@ -132,9 +132,7 @@ def _preload(making: Making, size: float, random: np.random.Generator) -> None:
 
 
 def _force_scale(making: Making, size: float, random: np.random.Generator) -> None:
-    values = NOMINAL.to_names()
-    stronger = {name: values[name] * (1.0 + 0.01 * size) for name in SPRING_FORCES}
-    making.joystick = NOMINAL.replace(stronger)
+    making.joystick = scaled_forces(NOMINAL, 1.0 + 0.01 * size)
 
 
 def _law(making: Making, size: float, random: np.random.Generator) -> None:

@@ -100,9 +100,8 @@ def run(
     """Run an FMU for many values of its parameters, as described in a settings file.
 
     Progress is saved: after Ctrl-C or a crash, the same command (without --overwrite) continues where it
-    stopped. Failed runs are
-    counted and listed in the results with their messages. The exit code is 1 only if every run failed, 130
-    after Ctrl-C, and 143 after SIGTERM.
+    stopped. Failed runs are counted and listed in the results with their messages. The exit code is 1 only if
+    every run failed, 130 after Ctrl-C, and 143 after SIGTERM.
     """
     if threads is not None and scheduler is not None:
         raise typer.BadParameter(

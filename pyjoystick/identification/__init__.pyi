@@ -63,6 +63,7 @@ from .fitting.problem.joystick_settings import (
     RELEASE as RELEASE,
     SPRING_FORCES as SPRING_FORCES,
     driven as driven,
+    scaled_forces as scaled_forces,
     with_force_scale as with_force_scale,
     with_friction as with_friction,
 )

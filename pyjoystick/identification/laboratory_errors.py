@@ -18,7 +18,7 @@ import pandas as pd
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification.bench import UNCERTAIN, Bench
 from pyjoystick.identification.fitting.fit import fit, fitted_values
-from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE, SPRING_FORCES
+from pyjoystick.identification.fitting.problem.joystick_settings import RELEASE, scaled_forces
 from pyjoystick.identification.fitting.problem.known_values import with_values
 from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Search, Uncertainty
 from pyjoystick.identification.fitting.result import Fit
@@ -201,8 +201,8 @@ def _moved_joysticks(joystick: JoystickParameters, bench: Bench) -> dict[str, li
         if error > 0.0:
             moved[f"{name} +- {error:.1g}"] = [_moved(joystick, name, values.get(name, 0.0), error)]
     if bench.force_scale > 0.0:
-        stronger = {name: (1.0 + bench.force_scale) * values[name] for name in SPRING_FORCES}
-        moved[f"scale of the force, {100.0 * bench.force_scale:.2g} %"] = [joystick.replace(stronger)]
+        title = f"scale of the force, {100.0 * bench.force_scale:.2g} %"
+        moved[title] = [scaled_forces(joystick, 1.0 + bench.force_scale)]
     return moved
 
 

@@ -10,11 +10,11 @@ import pytest
 
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import (
-    SPRING_FORCES,
     Bench,
     Contribution,
     contribution_table,
     fit_contributions,
+    scaled_forces,
 )
 from pyjoystick.identification.fitting.fit import fitted_values
 from pyjoystick.identification.laboratory_errors import curve_axes, run_contribution, settings_of_refit
@@ -101,7 +101,7 @@ def test_a_load_cell_that_shows_too_much_misleads_the_fit_of_j() -> None:
         _, contributions = fit_contributions(
             [_record(NOMINAL, noise=2e-4)], bench, fmu, release_angle=RELEASE
         )
-        weaker = NOMINAL.replace({name: NOMINAL.to_names()[name] / 1.005 for name in SPRING_FORCES})
+        weaker = scaled_forces(NOMINAL, 1.0 / 1.005)
         misled = fitted_values([_record(weaker)], settings_of_refit(NOMINAL), fmu)
     force = next(one for one in contributions if one.stage == "scale of the force, 0.5 %")
     assert pytest.approx(_off(misled), rel=0.05) == (force.J, force.C)

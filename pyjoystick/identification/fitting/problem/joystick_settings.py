@@ -83,6 +83,12 @@ SPRING_FORCES: Final = tuple(name for name in NOMINAL.to_names() if name.endswit
 FORCE_SCALE: Final = "force_scale"
 
 
+def scaled_forces(joystick: JoystickParameters, factor: float) -> JoystickParameters:
+    """The joystick with all forces of the springs multiplied by a factor, as by a load cell that is off."""
+    values = joystick.to_names()
+    return joystick.replace({name: factor * values[name] for name in SPRING_FORCES})
+
+
 def with_force_scale(settings: FitSettings, joystick: JoystickParameters, uncertainty: float) -> FitSettings:
     """Fit a common factor of the springs' forces: 1 within the uncertainty of the load cell's calibration.
 

@@ -19,6 +19,7 @@ from pyjoystick.identification import (
     Uncertainty,
     fit,
     fitted_joystick,
+    scaled_forces,
     summary,
     with_force_scale,
     with_friction,
@@ -137,8 +138,7 @@ def test_what_is_known_precisely_hides_nothing(fmus_by_name: Path) -> None:
 def test_the_scale_of_the_load_cell_is_found(fmus_by_name: Path) -> None:
     """Springs 0.4 % stronger than measured, by a load cell known to 0.5 %."""
     values = NOMINAL.to_names()
-    stronger = NOMINAL.replace({name: 1.004 * values[name] for name in SPRING_FORCES})
-    records = releases(stronger, 4, noise=NOISE)
+    records = releases(scaled_forces(NOMINAL, 1.004), 4, noise=NOISE)
     settings = dataclasses.replace(CONSTANT_DAMPING, uncertainty=Uncertainty(profiles=()))
     assert not fit(records, settings).trusted
     found = fit(records, with_force_scale(settings, NOMINAL, 0.005))

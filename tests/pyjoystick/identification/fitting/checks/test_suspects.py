@@ -12,7 +12,7 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import Fmu, find_fmu
-from pyjoystick.identification import CONSTANT_DAMPING, SPRING_FORCES, Uncertainty, fit
+from pyjoystick.identification import CONSTANT_DAMPING, Uncertainty, fit, scaled_forces
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.checks.suspect import beyond
@@ -28,6 +28,7 @@ RATE = 120.0
 RELEASE = 0.1037
 ANGLES = tuple(math.radians(one) for one in (-20.0, -12.0, 15.0))
 NOISE = math.radians(0.1)
+STRONGER = scaled_forces(NOMINAL, 1.002)
 
 
 def _records(
@@ -125,11 +126,6 @@ def _stopped(limit: float, stiffness: float) -> list[Record]:
     return found
 
 
-def _stronger(factor: float) -> list[Record]:
-    values = NOMINAL.to_names()
-    return _records(NOMINAL.replace({name: factor * values[name] for name in SPRING_FORCES}))
-
-
 def _other(**changes: float) -> list[Record]:
     return _records(NOMINAL.replace({name.replace("__", "."): value for name, value in changes.items()}))
 
@@ -142,7 +138,11 @@ _CLIPPED = -0.75 * math.radians(20.0)
 @pytest.mark.parametrize(
     ("make", "name", "size"),
     [
-        (lambda: _stronger(1.002), "another scale of all forces of the springs", "+0.2 %"),
+        (
+            lambda: _records(scaled_forces(NOMINAL, 1.002)),
+            "another scale of all forces of the springs",
+            "+0.2 %",
+        ),
         (lambda: _other(friction__T_c=1e-3), "dry friction at the pivot", "T_c about 0.00099 N m"),
         (lambda: _other(friction__F_c=0.2), "dry friction at the plungers", "F_c about 0.19 N"),
         (lambda: _other(J=1.0002 * NOMINAL.J), "another moment of inertia", "J +0.02 %"),
