@@ -93,9 +93,9 @@ def run(
         typer.Option(
             "--force-scale",
             metavar="PART",
-            help="Relative standard uncertainty of the load cell that measured the springs of --parameters, "
-            "such as 0.005: fit a common factor of all spring forces too, and count its calibration as one "
-            "more measurement. Needs --parameters.",
+            help="Relative standard uncertainty of the load cell's calibration, such as 0.005. The fit then "
+            "varies all spring forces of --parameters by one common factor, and counts the calibration as one "
+            "more measurement.",
         ),
     ] = None,
     update: Annotated[
