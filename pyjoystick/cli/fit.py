@@ -94,8 +94,8 @@ def run(
             "--force-scale",
             metavar="PART",
             help="Relative standard uncertainty of the load cell's calibration, such as 0.005. The fit then "
-            "varies all spring forces of --parameters by one common factor, and counts the calibration as one "
-            "more measurement.",
+            "varies all spring forces of --parameters by one common factor, and counts the calibration as "
+            "one more measurement.",
         ),
     ] = None,
     update: Annotated[

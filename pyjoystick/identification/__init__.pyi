@@ -61,7 +61,6 @@ from .fitting.problem.joystick_settings import (
     PLUNGER_FRICTION as PLUNGER_FRICTION,
     POWER_LAW_DAMPING as POWER_LAW_DAMPING,
     RELEASE as RELEASE,
-    SPRING_FORCES as SPRING_FORCES,
     driven as driven,
     scaled_forces as scaled_forces,
     with_force_scale as with_force_scale,

@@ -14,7 +14,6 @@ from pyjoystick.identification import (
     CONSTANT_DAMPING,
     PIVOT_FRICTION,
     PLUNGER_FRICTION,
-    SPRING_FORCES,
     Free,
     Uncertainty,
     fit,
@@ -27,6 +26,7 @@ from pyjoystick.identification import (
 )
 from pyjoystick.identification.fitting.checks.noise_shape import estimated_sigmas
 from pyjoystick.identification.fitting.checks.trust import away_from_known, check_known
+from pyjoystick.identification.fitting.problem.joystick_settings import SPRING_FORCES
 from pyjoystick.identification.fitting.problem.variables import Variable
 from pyjoystick.identification.fitting.solution.bootstrap import bootstrap
 from pyjoystick.identification.fitting.solution.search import search
