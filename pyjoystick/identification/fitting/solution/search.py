@@ -183,12 +183,21 @@ def multi_start(
         merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
     velocities = [j for j, one in enumerate(problem.variables.free) if one.name == OF_EITHER_SIGN]
     if velocities:
-        point = min(minima, key=lambda one: one.cost).x
-        turned = np.clip(-point, problem.variables.lower, problem.variables.upper)
-        held = {j: float(turned[j]) for j in velocities}
-        begun = search(problem, point, evaluations=wanted.evaluations, held=held).x
-        merge(minima, search(problem, begun, evaluations=wanted.evaluations), problem)
+        best = min(minima, key=lambda one: one.cost)
+        found = _of_other_sign(problem, best.x, velocities, wanted.evaluations)
+        if np.any(found.x[velocities] * best.x[velocities] < 0.0):
+            minima.append(found)  # another minimum, even if its cost is the same
+        else:
+            merge(minima, found, problem)
     return sorted(minima, key=lambda one: one.cost)
+
+
+def _of_other_sign(problem: Problem, x: FloatArray, places: Sequence[int], evaluations: int) -> Minimum:
+    """Search from where these variables have the other sign and the others are adapted to that."""
+    turned = np.clip(-x, problem.variables.lower, problem.variables.upper)
+    held = {j: float(turned[j]) for j in places}
+    begun = search(problem, x, evaluations=evaluations, held=held).x
+    return search(problem, begun, evaluations=evaluations)
 
 
 def _exchanged(problem: Problem, x: FloatArray, exchanges: Sequence[tuple[str, str]]) -> FloatArray:
