@@ -21,7 +21,7 @@ from pyjoystick.support import PyJoystickError
 
 _RUN_TOLERANCE = 1e-8
 
-Verdict = Literal["right", "near", "wrong", "refused", "fails", "crash", "too long"]
+Verdict = Literal["right", "near", "differs", "refused", "stops", "crash", "too long"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,9 +46,9 @@ def try_example(model: str, library: Path, reference_folder: Path) -> Outcome:
             with Fmu(built.path) as fmu:
                 result = fmu.run(reference.instants, outputs=reference.signals, tolerance=_RUN_TOLERANCE)
         except PyJoystickError as error:
-            return Outcome("fails", str(error), built.seconds)
+            return Outcome("stops", str(error), built.seconds)
     distance, signal = largest_error(reference, result)
-    verdict: Verdict = "right" if distance <= TOLERANCE else "near" if distance <= NEAR else "wrong"
+    verdict: Verdict = "right" if distance <= TOLERANCE else "near" if distance <= NEAR else "differs"
     return Outcome(verdict, f"{distance:.0e} {signal}".strip(), built.seconds)
 
 

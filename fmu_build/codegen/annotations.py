@@ -1,10 +1,12 @@
-"""Read class annotations that rumoca does not pass on from the Modelica source."""
+"""Read annotations that rumoca does not pass on from the Modelica source."""
 
 from __future__ import annotations
 
 import re
 
+from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.modelica_source.clauses import components
 from fmu_build.modelica_source.text import STRING, blanked
 from fmu_build.support.description import DefaultExperiment, Terminal
 
@@ -52,6 +54,21 @@ def terminals(model: LoweredModel) -> tuple[Terminal, ...]:
             return tuple(_terminal(*parts) for parts in re.findall(_TERMINAL, match.group(1)))
         waiting += [base for base in _bases(name, text) if base not in waiting]
     return ()
+
+
+def is_to_be_shown(model: LoweredModel, name: str, declaration: Span) -> bool:
+    """Return whether the declaration of this component has the annotation ``HideResult = false``.
+
+    With it, results contain the variable even if it is protected (Modelica 3.5, section 18.3).
+    """
+    if declaration["source"] not in model.sources:
+        return False
+    plain = blanked(model.sources[declaration["source"]][1])
+    simple = re.escape(name.rpartition(".")[2].partition("[")[0])
+    # The span is that of the whole clause, `Real a = 1, b = 2;`. The first component follows its type.
+    first, *others = components(plain, model.offset(declaration))
+    component = next((one for one in others if re.match(rf"\s*{simple}\b", one)), first)
+    return re.search(r"\bannotation\b.*\bHideResult\s*=\s*false\b", component, re.DOTALL) is not None
 
 
 def _terminal(name: str, members: str) -> Terminal:

@@ -52,17 +52,21 @@ class CompiledModel:
         """Return the source text of a span."""
         return self.sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
 
+    def offset(self, span: Span) -> int:
+        """Return the position of a span's first character in the text of its file."""
+        return len(self.sources[span["source"]][1].encode()[: span["start"]].decode(errors="ignore"))
+
     def place(self, span: Span | None) -> Place | None:
         """Return the place of a source span, or None if the compiler gave none."""
         if span is None or span.get("source") not in self.sources:
             return None
         path, text = self.sources[span["source"]]
-        return place_at(path, text, len(text.encode()[: span["start"]].decode(errors="ignore")))
+        return place_at(path, text, self.offset(span))
 
     def class_around(self, span: Span) -> str:
         """Return the qualified name of the innermost class around a span."""
         text = self.sources[span["source"]][1]
-        place = len(text.encode()[: span["start"]].decode())
+        place = self.offset(span)
         around = (one for one in declarations(text) if one.start <= place < one.end)
         return max(around, key=lambda one: one.start).name
 

@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.algebraics import Assignment
+from fmu_build.codegen.annotations import is_to_be_shown
 from fmu_build.codegen.equations import Equations, acting_expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
@@ -91,16 +92,21 @@ class VariableReader:
         return (*stored, *self._derivatives(stored))
 
     def _is_visible(self, entry: dict[str, Any]) -> bool:
-        """Return whether FMI lists the variable: protected variables are hidden, except for states.
+        """Return whether FMI lists the variable.
 
+        Protected ones are hidden, except for states and variables annotated with ``HideResult = false``.
         Parameters of type String are hidden too, because numbers that depend on one are already constants.
         """
         is_string = entry["value_type"]["scalar"] == "string" and entry["role"] in ("parameter", "constant")
         if entry["name"] in self._left_out or is_string:
             return False
         flat = self._model.flat["variables"].get(entry["name"])
-        is_hidden = flat is not None and flat["is_protected"] and entry["role"] != "state"
-        return entry["attributes"]["origin"] == "source" and not is_hidden
+        if entry["attributes"]["origin"] != "source":
+            return False
+        is_protected = flat is not None and flat["is_protected"] and entry["role"] != "state"
+        if is_protected and entry["role"] not in ("parameter", "constant"):
+            return is_to_be_shown(self._model, entry["name"], entry["declaration"]["span"])
+        return not is_protected
 
     def _scalars(self, entry: dict[str, Any]) -> Iterator[StoredVariable]:
         if entry["value_type"]["scalar"] not in _TYPES:

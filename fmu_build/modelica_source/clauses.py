@@ -81,11 +81,25 @@ def _components(simple: str, text: str, start: int, *, all_arrays: bool) -> Iter
         start = end + 1
 
 
+def components(plain: str, start: int) -> list[str]:
+    """Return the components of the clause that begins at `start`, each with its modifiers and annotation.
+
+    The first still has the clause's type before its name.
+    """
+    found = []
+    while True:
+        end = _end(plain, start)
+        found.append(plain[start:end])
+        if plain[end : end + 1] != ",":
+            return found
+        start = end + 1
+
+
 def _end(text: str, start: int) -> int:
-    """Return the position of the comma before the next component, or the end of the text."""
+    """Return the position of the comma or semicolon that ends a component, or the end of the text."""
     depth = 0
     for place in range(start, len(text)):
         depth += {"(": 1, "[": 1, "{": 1, ")": -1, "]": -1, "}": -1}.get(text[place], 0)
-        if depth == 0 and text[place] == ",":
+        if depth == 0 and text[place] in ",;":
             return place
     return len(text)

@@ -140,3 +140,30 @@ def test_integer_and_boolean_inputs(shared_fmus: SharedFmus) -> None:
     settled = (np.abs(t - 1) > 0.1) & (np.abs(t - 2) > 0.1)
     np.testing.assert_array_equal(result["doubled"][settled], np.where(t[settled] < 1, 2, 6))
     np.testing.assert_array_equal(result["forward"][settled], t[settled] < 2)
+
+
+def test_protected_variables_are_listed_if_their_declaration_asks_for_it(tmp_path: Path) -> None:
+    """HideResult = false, as in the members of a signal bus; of parameters, it does not make public ones."""
+    source = """
+    model Shown
+      connector Bus Real used annotation (HideResult=false); Real other; end Bus;
+      Real x(start=1, fixed=true);
+    protected
+      parameter Real p = 2 annotation (HideResult=false);
+      Real plain = 4*x "annotation (HideResult=false)";
+      Real hidden = 4*x annotation (HideResult=true), shown(start=max({0, 1})) = 5*x
+        "shown; ü" annotation (Dialog(enable=true), HideResult = false), last = 6*x;
+      Bus bus;
+    equation
+      der(x) = -p*x;
+      bus.used = 7*x;
+      bus.other = 8*x;
+    end Shown;
+    """
+    (tmp_path / "Shown.mo").write_text(source, "utf-8")
+    path = build_fmu("Shown", tmp_path, library=tmp_path / "Shown.mo").path
+    listed = {v.name for v in read_model_description(str(path)).modelVariables}
+    assert listed == {"time", "x", "der(x)", "shown", "bus.used"}
+    with Fmu(path) as fmu:
+        row = fmu.run([0.0, 0.1], outputs=["shown", "bus.used"]).iloc[0]
+    assert (row["shown"], row["bus.used"]) == (5.0, 7.0)
