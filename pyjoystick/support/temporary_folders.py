@@ -17,7 +17,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
+
+if TYPE_CHECKING:
+    from filelock import FileLock
 
 _LOCK: Final = ".lock"
 
@@ -29,18 +32,27 @@ def temporary_folder() -> Iterator[Path]:
     The first call in a process also deletes the folders that killed processes of this user left on this
     machine.
     """
-    from filelock import FileLock
-
     remove_abandoned()
-    folder = Path(tempfile.mkdtemp(prefix=_prefix()))
-    lock, owner = FileLock(folder / _LOCK), os.getpid()
-    lock.acquire()
+    (folder, lock), owner = _locked_folder(), os.getpid()
     try:
         yield folder
     finally:
         if os.getpid() == owner:  # else in a forked process: the folder is its parent's
             lock.release()
             shutil.rmtree(folder, ignore_errors=True)
+
+
+def _locked_folder() -> tuple[Path, FileLock]:
+    from filelock import FileLock
+
+    while True:
+        folder = Path(tempfile.mkdtemp(prefix=_prefix()))
+        lock = FileLock(folder / _LOCK)
+        lock.acquire()
+        if (folder / _LOCK).exists():
+            return folder, lock
+        # Before it was locked, another process took it for abandoned and removed it.
+        lock.release()
 
 
 @cache

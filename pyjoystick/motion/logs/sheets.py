@@ -159,18 +159,20 @@ def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:
 
 
 def _vectors(value: Any, name: str) -> Iterator[tuple[str, Any]]:
-    """Vectors in a variable with their names, including columns of a matrix; scalars are skipped."""
+    """Vectors in a variable with their names, including columns of a matrix; others are skipped."""
     if isinstance(value, Mapping):
         for field, one in value.items():
             yield from _vectors(one, f"{name}.{field}" if name else field)
         return
     array = np.asarray(value)
-    if array.dtype.kind not in "iufb" or array.size < 2 or array.size > _LONGEST:
+    if array.dtype.kind not in "iufb" or array.size < 2 or array.ndim > 2:
         return
+    if array.size > _LONGEST:
+        raise ValueError(f"its variable {name} has {array.size} values; at most {_LONGEST} are read")
     if array.ndim == 2:
         columns = array if array.shape[0] >= array.shape[1] else array.T
         yield from ((f"{name} #{i + 1}", column) for i, column in enumerate(columns.T))
-    elif array.ndim == 1:
+    else:
         yield name, array
 
 

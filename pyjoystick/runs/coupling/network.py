@@ -86,8 +86,10 @@ class Participant:
         self.time = saved[1]
 
     def forget(self, saved: tuple[Any, float]) -> None:
-        """Free a saved state."""
-        self._instance.forget(saved[0])
+        """Free a saved state; that of an FMU that failed is freed with its instance."""
+        if not self._instance.is_broken:
+            with self._instance.reporting(self.time):
+                self._instance.forget(saved[0])
 
     def close(self) -> None:
         """Free the instance and unload the FMU."""

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -10,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
 from pyjoystick.support import remove_abandoned, temporary_folder
 
@@ -50,6 +52,25 @@ def test_a_folder_is_there_and_gone(place: Path) -> None:
         assert [folder] == list(place.iterdir())
         (folder / "file").write_text("")
     assert list(place.iterdir()) == []
+
+
+def test_a_folder_that_is_removed_before_it_is_locked_is_replaced(
+    place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    acquire, removed = FileLock.acquire, list[Path]()
+
+    def removed_at_first(lock: FileLock) -> None:
+        acquire(lock)
+        if not removed:
+            removed.append(Path(lock.lock_file).parent)
+            shutil.rmtree(removed[0])
+
+    monkeypatch.setattr(FileLock, "acquire", removed_at_first)
+    with temporary_folder() as folder:
+        assert folder.is_dir()
+        assert removed not in ([], [folder])
+        monkeypatch.undo()
+    assert not folder.exists()
 
 
 def test_the_folder_of_a_killed_process_goes_at_the_next_start(place: Path) -> None:

@@ -156,6 +156,13 @@ def test_vectors_of_different_lengths(tmp_path: Path) -> None:
         read_log(path)
 
 
+def test_a_vector_that_is_too_long_is_not_left_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("pyjoystick.motion.logs.sheets._LONGEST", 119)
+    path = _matlab(tmp_path / "log.mat", "5", {"time_s": TIME, "theta_deg": ANGLE})
+    with pytest.raises(RecordError, match="its variable time_s has 120 values; at most 119 are read"):
+        read_log(path)
+
+
 @pytest.mark.parametrize("index", [False, True])
 def test_a_parquet_file(index: bool, tmp_path: Path) -> None:
     pytest.importorskip("pyarrow")
