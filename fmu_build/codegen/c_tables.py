@@ -221,7 +221,6 @@ def _variable(stored: StoredVariable, writer: _Tables) -> str:
         _CAUSALITIES[variable.causality],
         f"VARIABILITY_{variable.variability.upper()}",
         f"INITIAL_{(variable.initial or 'none').upper()}",
-        _number(float(variable.start or 0.0)),
         *(_number(bound) for bound in _range(variable)),
     ]
     return "{" + ", ".join(fields) + "}"

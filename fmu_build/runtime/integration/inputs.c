@@ -15,15 +15,12 @@ size_t inputs_of_model(size_t *index)
     return count;
 }
 
-bool inputs_set_slope(Inputs *inputs, size_t index, double slope)
+void inputs_set_slope(Inputs *inputs, size_t index, double slope)
 {
     for (size_t i = 0; i < inputs->count; ++i) {
-        if (inputs->index[i] == index) {
+        if (inputs->index[i] == index)
             inputs->slope[i] = slope;
-            return true;
-        }
     }
-    return false;
 }
 
 void inputs_begin(Inputs *inputs, double time, const double *p)

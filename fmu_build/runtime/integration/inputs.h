@@ -19,8 +19,8 @@ typedef struct {
 
 size_t inputs_of_model(size_t *index); /* returns their number; stores their slots in `index` unless it is NULL */
 
-/* Sets the derivative of one input for the next communication step; returns false if p[index] is not such an input. */
-bool inputs_set_slope(Inputs *inputs, size_t index, double slope);
+/* Sets the derivative of the input p[index] for the next communication step. */
+void inputs_set_slope(Inputs *inputs, size_t index, double slope);
 
 /* Starts the lines at the values in p at this time; does nothing if all slopes are zero and `ask` is NULL. */
 void inputs_begin(Inputs *inputs, double time, const double *p);

@@ -43,7 +43,6 @@ typedef struct {
     Causality causality;
     Variability variability;
     Initial initial;
-    double start;
     double min, max; /* -INFINITY and INFINITY if the model gives none */
 } Variable;
 

@@ -9,8 +9,8 @@ enum { H, V, N_Y };
 enum { G, E, BELOW, HIT, BOUNCES, PRE_BOUNCES, N_P };
 
 static const double y_start[N_Y] = {[H] = 1.0}, p_start[N_P] = {[G] = 10.0, [E] = 0.5}, state_nominal[] = {1.0, 1.0};
-static const Variable variables[] = {STATE("h", H, 1.0), STATE("v", V, 0.0), DISCRETE("bounces", BOUNCES),
-                                     PARAMETER("g", G, 10.0, 0.0, INFINITY), PARAMETER("e", E, 0.5, 0.0, 1.0)};
+static const Variable variables[] = {STATE("h", H), STATE("v", V), DISCRETE("bounces", BOUNCES),
+                                     PARAMETER("g", G, 0.0, INFINITY), PARAMETER("e", E, 0.0, 1.0)};
 static const Relation relations[] = {{0, BELOW, false}};
 static const PreBinding pre[] = {{PRE_BOUNCES, STORE_PARAMETER, BOUNCES}};
 static const DiscreteTarget discrete[] = {{DISCRETE_CONDITION, STORE_PARAMETER, HIT},

@@ -13,10 +13,10 @@ enum { RATE, POWER, END, WARNING, LIMIT, ENDED, WARNED, N_P };
 static const double y_start[N_Y] = {1.0},
                     p_start[N_P] = {[RATE] = 1.0, [POWER] = 1.0, [END] = 1e300, [WARNING] = 1e300, [LIMIT] = 1e300},
                     state_nominal[] = {1.0};
-static const Variable variables[] = {STATE("x", X, 1.0), PARAMETER("rate", RATE, 1.0, ANY),
-                                     PARAMETER("power", POWER, 1.0, ANY), PARAMETER("end", END, 1e300, ANY),
-                                     PARAMETER("warning", WARNING, 1e300, ANY),
-                                     PARAMETER("limit", LIMIT, 1e300, ANY)};
+static const Variable variables[] = {STATE("x", X), PARAMETER("rate", RATE, ANY),
+                                     PARAMETER("power", POWER, ANY), PARAMETER("end", END, ANY),
+                                     PARAMETER("warning", WARNING, ANY),
+                                     PARAMETER("limit", LIMIT, ANY)};
 static const Relation relations[] = {{0, ENDED, false}, {1, WARNED, false}};
 static const ActionKind actions[] = {ACTION_TERMINATE, ACTION_WARNING, ACTION_ERROR};
 

@@ -20,16 +20,16 @@ static const double p_start[N_P] = {0.01135,  0.87,     0.082,   9.80665, 0.0239
 static const double state_nominal[] = {1.0, 1.0};
 
 static const Variable variables[] = {
-    STATE("theta", THETA, -0.3490658503988659),
-    STATE("omega", OMEGA, 0.0),
+    STATE("theta", THETA),
+    STATE("omega", OMEGA),
     OUTPUT("alpha", ALPHA),
     OUTPUT("x", X),
     OUTPUT("f_x", F_X),
     OUTPUT("M_s", M_S),
     OUTPUT("E", E),
     INPUT("T", T, ANY),
-    PARAMETER("J", J, 0.01135, 1e-9, INFINITY),
-    PARAMETER("damping.C", C, 0.045, 0.0, INFINITY),
+    PARAMETER("J", J, 1e-9, INFINITY),
+    PARAMETER("damping.C", C, 0.0, INFINITY),
 };
 
 /* Relation n > 0 belongs to spring (n - 1)/2 of forward return, forward balance, backward return, backward

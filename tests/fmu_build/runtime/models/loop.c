@@ -12,8 +12,8 @@ enum { FLOOR, N_P };
 
 static const double y_start[N_Y] = {[X] = 2.0, [Z] = 1.0, [S] = 1.0}, p_start[N_P] = {[FLOOR] = -1e9},
                     state_nominal[] = {1.0};
-static const Variable variables[] = {STATE("x", X, 2.0), OUTPUT("z", Z), OUTPUT("w", W),
-                                     PARAMETER("floor", FLOOR, -1e9, ANY), OUTPUT("s", S), DERIVATIVE("der(x)", X)};
+static const Variable variables[] = {STATE("x", X), OUTPUT("z", Z), OUTPUT("w", W),
+                                     PARAMETER("floor", FLOOR, ANY), OUTPUT("s", S), DERIVATIVE("der(x)", X)};
 
 static void cubic_residual(double time, const double *y, const double *p, double *residual)
 {

@@ -9,8 +9,8 @@ enum { X, V, E, N_Y };
 enum { K, N_P };
 
 static const double y_start[N_Y] = {[X] = 1.0}, p_start[N_P] = {[K] = 1.0}, state_nominal[] = {1.0, 1.0};
-static const Variable variables[] = {STATE("x", X, 1.0), STATE("v", V, 0.0), OUTPUT("E", E),
-                                     PARAMETER("k", K, 1.0, 0.0, 1e6)};
+static const Variable variables[] = {STATE("x", X), STATE("v", V), OUTPUT("E", E),
+                                     PARAMETER("k", K, 0.0, 1e6)};
 
 const Model model = {TABLES("Test.Oscillator")};
 

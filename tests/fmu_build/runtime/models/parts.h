@@ -2,36 +2,34 @@
  * model does not have. A model defines state_nominal, variables, y_start and p_start, root_texts and relations. */
 #define ANY -INFINITY, INFINITY
 #define TIME                                                                                                          \
-    {"time", TYPE_REAL, STORE_TIME, 0, CAUSALITY_INDEPENDENT, VARIABILITY_CONTINUOUS, INITIAL_NONE, 0.0, ANY}
-#define STATE(name, i, start)                                                                                         \
-    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_EXACT, start,    \
-     ANY}
+    {"time", TYPE_REAL, STORE_TIME, 0, CAUSALITY_INDEPENDENT, VARIABILITY_CONTINUOUS, INITIAL_NONE, ANY}
+#define STATE(name, i)                                                                                                \
+    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_EXACT, ANY}
 #define DERIVATIVE(name, i)                                                                                           \
-    {name, TYPE_REAL, STORE_DERIVATIVE, i, CAUSALITY_LOCAL, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, 0.0, ANY}
+    {name, TYPE_REAL, STORE_DERIVATIVE, i, CAUSALITY_LOCAL, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, ANY}
 #define OUTPUT(name, i)                                                                                               \
-    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, 0.0, \
-     ANY}
+    {name, TYPE_REAL, STORE_STATE_OR_ALGEBRAIC, i, CAUSALITY_OUTPUT, VARIABILITY_CONTINUOUS, INITIAL_CALCULATED, ANY}
 #define INPUT(name, i, ...)                                                                                           \
-    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_INPUT, VARIABILITY_CONTINUOUS, INITIAL_NONE, 0.0, __VA_ARGS__}
-#define PARAMETER(name, i, start, ...)                                                                                \
-    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_PARAMETER, VARIABILITY_TUNABLE, INITIAL_EXACT, start, __VA_ARGS__}
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_INPUT, VARIABILITY_CONTINUOUS, INITIAL_NONE, __VA_ARGS__}
+#define PARAMETER(name, i, ...)                                                                                       \
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_PARAMETER, VARIABILITY_TUNABLE, INITIAL_EXACT, __VA_ARGS__}
 #define DISCRETE(name, i)                                                                                             \
-    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED, 0.0, ANY}
+    {name, TYPE_REAL, STORE_PARAMETER, i, CAUSALITY_OUTPUT, VARIABILITY_DISCRETE, INITIAL_CALCULATED, ANY}
 
 /* The tables that every model has; its others follow as designated initializers. */
 #define LENGTH(ARRAY) (sizeof(ARRAY) / sizeof *(ARRAY))
-#define TABLES(NAME) \
+#define TABLES(NAME)                                                                                                  \
     .name = NAME, .token = MODEL_TOKEN, .n_states = LENGTH(state_nominal), .n_y = N_Y, .n_p = N_P, .y_start = y_start, \
-    .p_start = p_start, .state_nominal = state_nominal, .n_variables = LENGTH(variables), .variables = variables, \
+    .p_start = p_start, .state_nominal = state_nominal, .n_variables = LENGTH(variables), .variables = variables,     \
     .initial_event_slot = NO_SLOT, .homotopy_slot = NO_SLOT
-#define ROOTS_AND_RELATIONS \
+#define ROOTS_AND_RELATIONS                                                                                           \
     .n_roots = LENGTH(root_texts), .root_texts = root_texts, .n_relations = LENGTH(relations), .relations = relations
 
-#define NO_ALGEBRAICS \
-    bool model_algebraics(double time, double *y, const double *p) \
-    { \
-        (void)time, (void)y, (void)p; \
-        return true; \
+#define NO_ALGEBRAICS                                                                                                 \
+    bool model_algebraics(double time, double *y, const double *p)                                                    \
+    {                                                                                                                 \
+        (void)time, (void)y, (void)p;                                                                                 \
+        return true;                                                                                                  \
     }
 #define NO_TIME_RELATIONS                                                                                             \
     void model_time_relations(double time, const double *p, double *root)                                             \

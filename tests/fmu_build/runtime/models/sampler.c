@@ -10,7 +10,7 @@ enum { X, N_Y };
 enum { TICK, RARE_TICK, HELD, TICKS, PRE_HELD, PRE_TICKS, N_P };
 
 static const double y_start[N_Y] = {0.0}, p_start[N_P] = {0.0}, state_nominal[] = {1.0};
-static const Variable variables[] = {STATE("x", X, 0.0), DISCRETE("held", HELD), DISCRETE("ticks", TICKS)};
+static const Variable variables[] = {STATE("x", X), DISCRETE("held", HELD), DISCRETE("ticks", TICKS)};
 static const PeriodicClock clocks[] = {{TICK, 1.0, 10.0, 0.0, 1.0, false}, {RARE_TICK, 1000.0, 1.0, 0.0, 1.0, true}};
 static const PreBinding pre[] = {{PRE_HELD, STORE_PARAMETER, HELD}, {PRE_TICKS, STORE_PARAMETER, TICKS}};
 static const DiscreteTarget discrete[] = {{DISCRETE_ASSIGN, STORE_PARAMETER, HELD},

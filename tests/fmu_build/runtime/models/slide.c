@@ -9,7 +9,7 @@ enum { X, N_Y };
 enum { POSITIVE, N_P };
 
 static const double y_start[N_Y] = {1.0}, p_start[N_P] = {0.0}, state_nominal[] = {1.0};
-static const Variable variables[] = {STATE("x", X, 1.0)};
+static const Variable variables[] = {STATE("x", X)};
 static const Relation relations[] = {{0, POSITIVE, false}};
 
 static const char *const root_texts[] = {"-x"};

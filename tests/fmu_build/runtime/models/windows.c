@@ -11,9 +11,9 @@ enum { CENTRE, WIDTH, INSIDE, PAST, NOT_PAST, N_P };
 
 static const double y_start[N_Y] = {0}, p_start[N_P] = {[CENTRE] = 1.0, [WIDTH] = 1e-3},
                     state_nominal[] = {1.0, 1.0, 1.0};
-static const Variable variables[] = {STATE("x", X, 0.0), STATE("area", AREA, 0.0), STATE("after", AFTER, 0.0),
-                                     PARAMETER("centre", CENTRE, 1.0, ANY),
-                                     PARAMETER("width", WIDTH, 1e-3, 0.0, INFINITY)};
+static const Variable variables[] = {STATE("x", X), STATE("area", AREA), STATE("after", AFTER),
+                                     PARAMETER("centre", CENTRE, ANY),
+                                     PARAMETER("width", WIDTH, 0.0, INFINITY)};
 static const Relation relations[] = {{0, INSIDE, false}, {1, PAST, false}, {2, NOT_PAST, true}};
 
 static const char *const root_texts[] = {"sinh(distance)^2 - sinh(width/2)^2", "-distance", "distance"};
