@@ -202,7 +202,7 @@ DECLARATIONS = (
         r"expression shape mismatch",
         UnsupportedModelError,
         "the size of an array does not fit, or the compiler does not find it; write the array out, as "
-        "{{a, b}}, and with one iterator for each pair of braces",
+        "{{a, b}}, and with one iterator for each pair of braces; an Integer cannot equal a Real expression",
         (
             r"\{[^{}]*\bfor\b[^{}]*,[^{}]*\bin\b[^{}]*\}",
             r"\(\s*(?:each\s+)?\w+\s*=\s*(?!\{[^{}]*\}\s*[,)])[^,()]*[:*+({][^;]*",
