@@ -15,7 +15,7 @@ import re
 from collections.abc import Iterator
 
 from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import closing
+from fmu_build.modelica_source.modifiers import assigned, closing
 
 _KIND = r"(?:model|block|class|package|connector|record|function)"
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
@@ -42,7 +42,8 @@ def _changing_clauses(text: ModelText) -> Iterator[Construct]:
     """Yield the extends-clauses with modifiers, and those of packages that redeclare inherited elements."""
     yield from text.find([_SHORT_CLASS])
     for clause in text.find([_EXTENSION]):
-        if clause.plain[clause.plain.index("(") + 1 : -1].strip():
+        arguments = clause.plain[clause.plain.index("(") + 1 : -1]
+        if arguments.strip() and not _sets_parameters_only(text, clause, arguments):
             yield clause
     redeclaring = {
         re.sub(r"\s+", "", found[0])
@@ -53,6 +54,16 @@ def _changing_clauses(text: ModelText) -> Iterator[Construct]:
     for clause in text.find([_PLAIN_EXTENSION]):
         if re.sub(r"\s+", "", clause.plain) in redeclaring:
             yield clause
+
+
+def _sets_parameters_only(text: ModelText, clause: Construct, arguments: str) -> bool:
+    """Return whether the clause only sets parameters, which no name like ``A.c`` can mean."""
+    base = _BASE.search(clause.plain)
+    names = {path[0] for path in assigned(arguments)}
+    if base is None or not names or "redeclare" in arguments:
+        return False
+    declared = [rf"\bparameter\s[^;]*(?<![\w.]){re.escape(name)}\b" for name in names]
+    return all(any(re.search(one, own) for own in text.of(base["name"])) for one in declared)
 
 
 def _redeclares(own: str) -> bool:

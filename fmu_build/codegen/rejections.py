@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from fmu_build.codegen.compiled import Span
+from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.connected_slices import reject_reordered_connections
 from fmu_build.codegen.lost_equations import reject_lost_equations
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
@@ -22,6 +22,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_surplus_initial_equations(model)
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
+    _reject_overridden_branches(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
     reject_lost_modifiers(model)
@@ -101,3 +102,24 @@ def _reject_repeated_assignments(model: LoweredModel) -> None:
             )
         if activation["guard"] == activation["trigger"]:
             unconditional.add(key)
+
+
+def _reject_overridden_branches(model: LoweredModel) -> None:
+    """Reject an if-equation in an ``elsewhen`` that rumoca puts before an earlier branch without one.
+
+    It does so for variables of all types but Real.
+    """
+    reals = {one["name"] for one in model.dae["variables"] if one["value_type"]["scalar"] == "real"}
+    for chain in model.flat["when_chains"]:
+        before: set[str] = set()
+        for branch in (chain["first"], *chain["else_when"]):
+            conditional = [one for one in branch["equations"] if "Conditional" in one]
+            overriding = {one["target"] for one in expressions(conditional, "Assign")} & before - reals
+            if overriding:
+                raise model.unsupported(
+                    f"an if-equation for {min(overriding)} in an elsewhen is not supported after a branch "
+                    "that sets it without one, because the compiler would let the later one decide if both "
+                    "conditions become true at once; write x = if condition then value else other",
+                    branch["span"],
+                )
+            before |= {one["Assign"]["target"] for one in branch["equations"] if "Assign" in one}

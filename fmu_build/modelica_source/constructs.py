@@ -180,7 +180,13 @@ def _scopes(name: str) -> list[str]:
 def _can_be_meant(name: str, words: Container[str], mentioned: Container[str]) -> bool:
     """Return whether a word can refer to a class: its scope encloses the word or is mentioned somewhere."""
     scope, _, simple = name.rpartition(".")
-    return simple in words and (not scope or scope in mentioned or scope.rpartition(".")[2] in mentioned)
+    return simple in words and _is_mentioned(scope, mentioned)
+
+
+def _is_mentioned(scope: str, mentioned: Container[str]) -> bool:
+    """Return whether a scope encloses a reached class, or is mentioned, as are the scopes around it."""
+    around, _, simple = scope.rpartition(".")
+    return not scope or scope in mentioned or (simple in mentioned and _is_mentioned(around, mentioned))
 
 
 def _only(text: str, spans: Sequence[tuple[int, int]]) -> str:

@@ -107,6 +107,14 @@ CONNECTIONS_AND_COUNTS = (
         (r"(?<![\w.])(?:\w+\.)*FUNCTION\s*\((?=[^;=]*=(?!=))",),
         only_there=True,
     ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations of slices with a list, a step or end as "
+        "subscript: write them for each element, or for each i of a for-loop",
+        (r"(?<![\w.])(?:\w+\.)*\w+\s*\[(?=[^\[\]]*(?:\{|:[^\[\]:]*:|:\s*end\b)[^\[\]]*\]\s*=(?!=))",),
+        only_there=True,
+    ),
     Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
     Meaning(
         rf"(?P<all>connector '{QUALIFIED}' is unbalanced: .*)",

@@ -45,11 +45,18 @@ EVENTS = (
         "edge(...), pre(...) or change(...)",
     ),
     Meaning(
-        r"`change expression`: change\(\.\.\.\) must name a discrete coordinate",
-        ModelicaError,
-        "change() applies to discrete variables only",
-        (r"\bchange\s*\(",),
-        "change(...)",
+        rf"`pre expression`: pre\(`{QUALIFIED}`\) names an external input",
+        UnsupportedModelError,
+        "pre() of an input is not supported; declare Boolean b = {name}, or Integer, and write pre(b)",
+        (r"\bpre\s*\(\s*(?:[\w.]+\.)?NAME\s*(?:\[[^\[\]]*\])?\s*\)",),
+    ),
+    Meaning(
+        r"`(?P<name>change|edge) expression`: \w+\(\.\.\.\) must name a discrete coordinate",
+        UnsupportedModelError,
+        "{name}() applies to discrete variables, here to those only that are no inputs; give an input to a "
+        "variable, as in Boolean b = u, and write {name}(b)",
+        (r"\bNAME\s*\(",),
+        "edge(...) or change(...)",
     ),
     Meaning(
         rf"`pre expression`: pre\(`{QUALIFIED}`",

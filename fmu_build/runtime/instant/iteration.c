@@ -55,15 +55,6 @@ bool iteration_copy_pre(Values *values)
     return changed;
 }
 
-void iteration_stop_at_zero(Iteration *iteration, const Values *values)
-{
-    for (size_t i = 0; model.opposites != NULL && i < model.n_relations; ++i) {
-        const size_t opposite = model.opposites[i];
-        iteration->stopped[i] = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
-        iteration->any_stopped |= iteration->stopped[i];
-    }
-}
-
 bool iteration_leave_zero(Iteration *iteration)
 {
     bool held = false;
@@ -142,6 +133,28 @@ static bool refresh(Iteration *iteration, Values *values)
         return false;
     model_time_relations(time_just_after(values->time), values->p, iteration->root + model.n_roots);
     return true;
+}
+
+/* Stops relations whose roots are the same numbers as those of stopped ones, as s > k beside s > 0 where k is 0. */
+static void stop_the_same(Iteration *iteration)
+{
+    for (size_t i = 0; i < model.n_relations; ++i)
+        for (size_t j = 0; iteration->stopped[i] && j < model.n_relations; ++j) {
+            const Relation *one = &model.relations[i], *other = &model.relations[j];
+            if (other->holds_at_zero == one->holds_at_zero && iteration->root[other->root] == iteration->root[one->root])
+                iteration->stopped[j] = true;
+        }
+}
+
+void iteration_stop_at_zero(Iteration *iteration, Values *values)
+{
+    for (size_t i = 0; model.opposites != NULL && i < model.n_relations; ++i) {
+        const size_t opposite = model.opposites[i];
+        iteration->stopped[i] = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
+        iteration->any_stopped |= iteration->stopped[i];
+    }
+    if (iteration->any_stopped && refresh(iteration, values))
+        stop_the_same(iteration);
 }
 
 /* The states are constant, so a root moves only with a relation or discrete variable that is part of the circle. */

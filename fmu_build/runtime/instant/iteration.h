@@ -28,8 +28,9 @@ bool iteration_copy_pre(Values *values);
 const char *iteration_settle(Iteration *iteration, Values *values);
 
 /* From now on, a relation cannot become true if its opposite is true now: in between, their root is zero and both are
- * false. iteration_leave_zero ends this, and returns whether a relation now becomes true. */
-void iteration_stop_at_zero(Iteration *iteration, const Values *values);
+ * false. The same holds for relations with the same root. iteration_leave_zero ends this, and returns whether a
+ * relation now becomes true. */
+void iteration_stop_at_zero(Iteration *iteration, Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 
 /* Sets the condition memories from the settled pass; returns whether any of them changed. */

@@ -39,6 +39,15 @@ package R
   model Faster
     extends Part(c = 5);
   end Faster;
+  model Outer
+    parameter Real p = 1;
+    Real y = p*time;
+    model Inner Real z = 3*time; end Inner;
+  end Outer;
+  model OuterHeir
+    extends Outer(p = 2);
+    Outer.Inner inner_;
+  end OuterHeir;
   model User
     replaceable package P = Plain;
     Real y = P.d*time;
@@ -57,8 +66,9 @@ end R;
         ("Real a = Five.d*time; Real b = Seven.d*time;", {"a": 10.0, "b": 14.0}),
         ("Real a = Heir.e*time; Real b = Plain.c*time;", {"a": 3.0, "b": 1.0}),
         ("Part p; Faster q; Part r(c = 9);", {"p.y": 1.0, "q.y": 5.0, "r.y": 9.0}),
+        ("OuterHeir h; Outer o;", {"h.y": 2.0, "h.inner_.z": 3.0, "o.y": 1.0}),
     ],
-    ids=["of a partial package", "heirs alone", "without a modifier", "components"],
+    ids=["of a partial package", "heirs alone", "without a modifier", "components", "parameters"],
 )
 def test_each_has_its_own_values(declarations: str, values: dict[str, float], tmp_path: Path) -> None:
     """By the specification: an heir's modifiers hold for the heir (Modelica 3.6, section 7.2)."""

@@ -35,6 +35,45 @@ _GATES = (
 )
 
 _CASES = {
+    "slices of a list of elements": Case(
+        "Real y[4];",
+        "y[{1, 3}] = {time, 1}; y[2:2:4] = {3, 4};",
+        UnsupportedModelError,
+        "M.mo: unbalanced model: 3 equations, 4 unknowns, as the compiler counts them; it miscounts "
+        "equations of slices with a list, a step or end as subscript: write them for each element, or for",
+    ),
+    "slices up to the end": Case(
+        "parameter Real v[:] = {1, 2, 3, 4}; parameter Integer n = size(v, 1); Real y[n];",
+        "y[1:2] = {time, 1}; y[3:end] = 2*v[3:end];",
+        UnsupportedModelError,
+        "M.mo:4:23: unbalanced model: 3 equations, 4 unknowns, as the compiler counts them; it miscounts",
+    ),
+    "change of an input": Case(
+        "input Boolean b; Integer n(start=0, fixed=true);",
+        "when change(b) then n = pre(n) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:8: change(b): change() applies to discrete variables, here to those only that are no inputs; "
+        "give an input to a variable, as in Boolean b = u, and write change(b)",
+    ),
+    "edge of an input": Case(
+        "input Boolean b; Integer n(start=0, fixed=true);",
+        "when edge(b) then n = pre(n) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:8: edge(b): edge() applies to discrete variables, here to those only that are no inputs",
+    ),
+    "pre of an input": Case(
+        "input Integer k; Integer n(start=0, fixed=true);",
+        "when k > pre(k) then n = pre(n) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:12: pre() of an input is not supported; declare Boolean b = k, or Integer, and write pre(b)",
+    ),
+    "an if-equation after a plain branch": Case(
+        "Integer y(start=5, fixed=true);",
+        "when time >= 0.5 then y = 2; elsewhen 2*time >= 1 then if pre(y) == 5 then y = 8; else y = 7; "
+        "end if; end when;",
+        UnsupportedModelError,
+        "M.mo:4:41: an if-equation for y in an elsewhen is not supported after a branch that sets it without",
+    ),
     "an algorithm section of two variables": Case(
         "Real y; Real z;",
         "algorithm z := time; y := z;",

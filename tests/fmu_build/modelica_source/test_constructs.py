@@ -106,3 +106,14 @@ def test_a_class_of_the_same_name_in_a_package_that_is_not_mentioned_does_not_be
         text = f"package {name}\n  model Part Real x = der({name}); end Part;\nend {name};\n"
         (tmp_path / f"{name}.mo").write_text(text)
     assert set(_found(tmp_path, "Mine.A")) == {"der(mine)", "der(Imported)", "der(Deep)"}
+
+
+def test_nor_do_classes_in_such_a_class(tmp_path: Path) -> None:
+    """Other.Part.Inner, though a name in this model is Part.Inner."""
+    for name in ("Mine", "Other"):
+        text = (
+            f"model {name}\n  model Part model Inner Real x = der({name}); end Inner; end Part;\n"
+            f"  Part.Inner p;\nend {name};\n"
+        )
+        (tmp_path / f"{name}.mo").write_text(text)
+    assert set(_found(tmp_path, "Mine")) == {"der(Mine)"}

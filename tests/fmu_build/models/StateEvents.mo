@@ -311,6 +311,39 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     r = rem(u, 1);
   end ExactSteps;
 
+  model StepsInRelations "Whole numbers that jump exactly onto the bound with which they are compared"
+    Real x(start=0, fixed=true);
+    Real y(start=0, fixed=true);
+    Real z(start=0, fixed=true);
+    Real w(start=0, fixed=true);
+    Integer n(start=0, fixed=true);
+  equation
+    der(x) = 4;
+    der(y) = if floor(x) >= 1 then 2 else 1;
+    der(z) = if ceil(x) < 2 then 1 else 2;
+    der(w) = if mod(integer(x), 3) > 1 then 1 else 0;
+    when div(3*time, 2) >= 1 then
+      n = pre(n) + 1;
+    end when;
+  end StepsInRelations;
+
+  model SharedZero "The same zero as that of two opposite relations, by way of a parameter"
+    parameter Real k = 0;
+    Real s;
+    Boolean below;
+    Integer first(start=2, fixed=true);
+    Integer second(start=0, fixed=true);
+  equation
+    s = sin(3*time - 1.5);
+    below = s < 0;
+    when s > 0 then
+      first = pre(first) + 1;
+    end when;
+    when s > k then
+      second = first;
+    end when;
+  end SharedZero;
+
   model NoEvents "noEvent and smooth: the same kinks without events"
     Real x(start=-1, fixed=true);
     Real kinked "max(x, 0) written with noEvent";

@@ -249,6 +249,21 @@ def exact_steps(t: Array) -> Values:
     return {"d": np.trunc(u), "r": u - np.trunc(u)}
 
 
+def steps_in_relations(t: Array) -> Values:
+    late = np.maximum(t - 0.25, 0)
+    return {
+        "y": t + late,
+        "z": t + late,
+        "w": np.clip(t - 0.5, 0, 0.25),
+        "n": (t > 2 / 3).astype(float),
+    }
+
+
+def shared_zero(t: Array) -> Values:
+    late = (t > 0.5).astype(float)
+    return {"first": 2 + late, "second": 3 * late}
+
+
 def no_events_model(t: Array) -> Values:
     x = t - 1
     kinked, shifted = np.maximum(x, 0), np.maximum(x - 0.5, 0)
@@ -277,6 +292,8 @@ CASES = (
     Case("StateEvents.TrueAtStart", 15.0, true_at_start, events=cosine_crossings),
     Case("StateEvents.ReinitChain", 1.0, reinit_chain, events=at(0.5)),
     Case("StateEvents.ExactSteps", 6.0, exact_steps, events=at(0.0, 1.0, 2.0, 4.0, 5.0, 6.0)),
+    Case("StateEvents.StepsInRelations", 1.0, steps_in_relations, events=at(0.25, 0.5, 2 / 3, 0.75, 1.0)),
+    Case("StateEvents.SharedZero", 1.0, shared_zero, events=at(0.5)),
     Case("StateEvents.IntegerEvents", 8.0, integer_events, events=integer_events_times),
     Case("StateEvents.NoEvents", 3.0, no_events_model),
 )
