@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import resources
@@ -75,6 +76,15 @@ def readable_files(library: Path) -> list[Path]:
     beside = () if library.is_dir() else filter(Path.is_file, sorted(library.parent.glob("*.mo")))
     own = source_files(default_library())
     return list({file.resolve(): file for file in (*own, *beside, *source_files(library))}.values())
+
+
+def declared_twice(library: Path) -> set[str]:
+    """Return the top-level classes that a single file and those next to it declare twice, as copies do."""
+    if library.is_dir():
+        return set()
+    files = filter(Path.is_file, library.parent.glob("*.mo"))
+    times = Counter(name for file in files for name in top_level_classes(file))
+    return {name for name, number in times.items() if number > 1}
 
 
 def needed_files(library: Path, given: Sequence[Path] = ()) -> list[Path]:

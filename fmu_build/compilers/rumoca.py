@@ -17,6 +17,7 @@ from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
     DEFAULT_LIBRARY,
     MODEL_KINDS,
+    declared_twice,
     default_library,
     entry_file,
     mentions,
@@ -102,6 +103,7 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
         raise not_found(request.model, library, read_classes(library), syntax_errors(source_files(library)))
     alone = all(_is_read_with(library, used) for used in used_libraries(libraries, reached))
     alone = alone and with_records_in_parentheses(reached.texts) == reached.texts
+    alone = alone and not declared_twice(library)
     files = readable_files(library) if alone else list(reached.texts)
     with translated_errors(request.model, known.file, files):
         texts = {file: read_text(file) for file in files} if alone else _texts(reached, libraries)

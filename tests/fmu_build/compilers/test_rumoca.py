@@ -77,6 +77,20 @@ def test_a_class_of_a_file_that_uses_its_neighbour(library: Path) -> None:
     assert [v.start for v in generated.description.variables if v.name == "x"] == [2.0]
 
 
+def test_copies_beside_a_file_are_not_read(tmp_path: Path) -> None:
+    """An older version of the model, and one of what it uses."""
+    part, user = (
+        _model("Part", "Real x(start = {}, fixed = true);", "der(x) = 1;"),
+        "model User\n  extends Part;\nend User;\n",
+    )
+    (tmp_path / "Part.mo").write_text(part.format(2))
+    (tmp_path / "Part copy.mo").write_text(part.format(3))
+    (tmp_path / "User_old.mo").write_text(user.replace("Part", "Part(x(start = 4))"))
+    (tmp_path / "User.mo").write_text(user)
+    generated, _ = _generate("User", tmp_path / "User.mo")
+    assert [v.start for v in generated.description.variables if v.name == "x"] == [2.0]
+
+
 @pytest.mark.parametrize("as_package", [False, True])
 def test_a_library_of_the_users_own_on_preloaded_springs(tmp_path: Path, as_package: bool) -> None:
     file = tmp_path / "Stiff.mo"
