@@ -53,8 +53,18 @@ EVENTS = (
     Meaning(
         r"`(?P<name>change|edge) expression`: \w+\(\.\.\.\) must name a discrete coordinate",
         UnsupportedModelError,
-        "{name}() applies to discrete variables, here to those only that are no inputs; give an input to a "
-        "variable, as in Boolean b = u, and write {name}(b)",
+        "{name}() of an input is not supported; give it to a variable, as in Boolean b = u, and write "
+        "{name}(b)",
+        (
+            r"\binput\s+(?:Boolean|Integer)\s+(?=(?:[^;]*?,\s*)?(\w+)\b[^;]*;[\s\S]{0,4000}?"
+            r"\bNAME\s*\(\s*\1\s*\))",
+        ),
+        only_there=True,
+    ),
+    Meaning(
+        r"`(?P<name>change|edge) expression`: \w+\(\.\.\.\) must name a discrete coordinate",
+        ModelicaError,
+        "{name}() applies to discrete variables only",
         (r"\bNAME\s*\(",),
         "edge(...) or change(...)",
     ),

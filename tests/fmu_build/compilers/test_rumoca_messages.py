@@ -52,14 +52,14 @@ _CASES = {
         "input Boolean b; Integer n(start=0, fixed=true);",
         "when change(b) then n = pre(n) + 1; end when;",
         UnsupportedModelError,
-        "M.mo:4:8: change(b): change() applies to discrete variables, here to those only that are no inputs; "
-        "give an input to a variable, as in Boolean b = u, and write change(b)",
+        "M.mo:2:3: change() of an input is not supported; give it to a variable, as in Boolean b = u, and "
+        "write change(b)",
     ),
     "edge of an input": Case(
         "input Boolean b; Integer n(start=0, fixed=true);",
         "when edge(b) then n = pre(n) + 1; end when;",
         UnsupportedModelError,
-        "M.mo:4:8: edge(b): edge() applies to discrete variables, here to those only that are no inputs",
+        "M.mo:2:3: edge() of an input is not supported; give it to a variable",
     ),
     "pre of an input": Case(
         "input Integer k; Integer n(start=0, fixed=true);",
