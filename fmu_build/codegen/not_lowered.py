@@ -97,7 +97,41 @@ def _partly_sampled_clauses(model: CompiledModel, _: re.Match[str]) -> Obstacles
         for branch in chain["else_when"] and (chain["first"], *chain["else_when"]):
             for sample in _calls(branch["condition"], "Sample"):
                 yield "sample() in one of several branches of a when-clause is not supported", sample["span"]
-    yield "a when-clause with a sampled and another branch is not supported", None
+    yield "a when-clause with sample() beside another condition is not supported", None
+
+
+def _mixed_samples(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    """Find the sampled clause with an if-equation whose conditions come from elsewhere."""
+    for chain in model.flat["when_chains"]:
+        conditional = [one for one in chain["first"]["equations"] if "Conditional" in one]
+        for sample in _calls(chain["first"]["condition"], "Sample") if conditional else ():
+            yield (
+                "an if-equation in a when-clause with sample() is not supported if its conditions combine "
+                "what clauses with other conditions set; write if-expressions, or pre() of these variables",
+                sample["span"],
+            )
+            return
+    yield (
+        "conditions that combine what clauses with different sample() set are not supported; use pre()",
+        None,
+    )
+
+
+def _read_at_a_sample(model: CompiledModel, message: re.Match[str]) -> Obstacles:
+    name = message[1]
+    yield (
+        f"a when-clause with sample() that reads {name}, which another clause sets at the same instant from "
+        f"what is sampled, is not supported: where the value from before is meant, write pre({name})",
+        model.flat["variables"].get(name, {}).get("source_span"),
+    )
+
+
+def _listed_elements(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    yield (
+        "elements that a list of indices selects, as v[{1, 3}], are not supported in this place; write them "
+        "out, as {v[1], v[3]}",
+        None,
+    )
 
 
 def _dependent_equations(_: CompiledModel, message: re.Match[str]) -> Obstacles:
@@ -188,7 +222,10 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("pure-call argument or slot interface", _string_arguments),
     ("String values", _strings_in_equations),
     ("coupled discrete Real", _discrete_loops),
-    ("clock activation owners", _partly_sampled_clauses),
+    ("clock activation owners|(?:non-clock event|different) activation", _partly_sampled_clauses),
+    ("relations from different clock partitions", _mixed_samples),
+    ("same-tick read of `([^`]+)`", _read_at_a_sample),
+    ("runtime indexed slices", _listed_elements),
     ("matrix power", _matrix_powers),
     ("function assertion failed", _failed_assertions),
     ("structured B.1c body", _discrete_arrays_in_loops),

@@ -207,6 +207,13 @@ def _filled(fields: Fields, registers: Registers) -> None:
         registers[fields["dst_start"] + i] = registers[fields["value_start"]]
 
 
+def _identity(fields: Fields, registers: Registers) -> None:
+    """Evaluate ``identity(size)``, row by row."""
+    size = fields["size"]
+    for row, column in product(range(size), repeat=2):
+        registers[fields["dst_start"] + row * size + column] = ONE if row == column else ZERO
+
+
 def _concatenated(fields: Fields, registers: Registers) -> None:
     """Evaluate ``cat(axis + 1, ...)`` of row-major arrays."""
     axis = fields["axis"]
@@ -247,5 +254,6 @@ _TENSOR_OPERATIONS: dict[str, Callable[[Fields, Registers], None]] = {
     "TensorTranspose": _transposed,
     "TensorCross": _crossed,
     "TensorFill": _filled,
+    "TensorIdentity": _identity,
     "TensorConcatenate": _concatenated,
 }

@@ -380,7 +380,28 @@ _CASES = {
         _X + _N + "Boolean t;",
         "der(x) = 1; t = sample(0, 1); when x > 0.5 then n = 1; elsewhen t then n = 2; end when;",
         UnsupportedModelError,
-        "M.mo: a when-clause with a sampled and another branch is not supported (model M)",
+        "M.mo: a when-clause with sample() beside another condition is not supported (model M)",
+    ),
+    "sampler and another condition of a discrete Real": Case(
+        "discrete Real d(start=0, fixed=true);",
+        "when sample(0, 1) then d = pre(d) + 1; elsewhen time > 3 then d = 5; end when;",
+        UnsupportedModelError,
+        "M.mo:4:8: sample() in one of several branches of a when-clause is not supported",
+    ),
+    "conditions of an if-equation from two samplers": Case(
+        "Boolean a(start=false, fixed=true); Boolean b(start=false, fixed=true); Real s = sin(time); "
+        "discrete Real d(start=0, fixed=true);",
+        "when sample(0, 0.25) then a = s > 0.2; end when; when sample(0.25, 0.25) then "
+        "if pre(d) > 1 then b = s > 0.3; d = s; elseif a then b = s > 0.4; d = 2*s; "
+        "else b = s > 0.5; d = 3*s; end if; end when;",
+        UnsupportedModelError,
+        "M.mo:4:57: an if-equation in a when-clause with sample() is not supported if its conditions combine",
+    ),
+    "a list of indices that end gives": Case(
+        "Real v[3] = {time, 2*time, 3}; Real y;",
+        "y = time*sum(v[{end, 2}]);",
+        UnsupportedModelError,
+        "M.mo: elements that a list of indices selects, as v[{1, 3}], are not supported in this place",
     ),
     "recursive function": Case(
         _function("y := if x <= 0 then 1 else x*f(x - 1);"),

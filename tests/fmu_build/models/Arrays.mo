@@ -55,6 +55,7 @@ package Arrays "Vectors, matrices and loops"
     Real t[3, 2] "Transpose of an expression";
     Real k[3];
     Real beside[2, 5] "Matrices side by side";
+    Real r[5, 5] "A projection; the size is one that the compiler does not write out";
   equation
     A = [1, 2, time; 4, 5, 6];
     B = transpose(A);
@@ -66,6 +67,7 @@ package Arrays "Vectors, matrices and loops"
     t = 2*transpose(A + [time, 0, 0; 0, 0, 1]);
     k = time*linspace(0, g, 3);
     beside = cat(2, A, d);
+    r = identity(5) - outerProduct(g*(1:5), g*(1:5))/55;
   end Shapes;
 
   model Products "Outer and elementwise products, fill, slices"

@@ -126,6 +126,7 @@ def shapes_case(g: float) -> Case:
             "t": 2 * (a + np.array([[t, 0, 0], [0, 0, 1]])).T,
             "k": t * np.linspace(0, g, 3),
             "beside": np.hstack((a, np.diag([g, t]))),
+            "r": np.eye(5) - g**2 * np.outer(range(1, 6), range(1, 6)) / 55,
         }
         return {
             f"{name}[{','.join(str(i + 1) for i in index)}]": float(array[index])
