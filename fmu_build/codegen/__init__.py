@@ -14,6 +14,7 @@ from fmu_build.codegen.equation_reader import n_named_slots, read_equations
 from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.followed import with_followed_parameters
 from fmu_build.codegen.functions import FunctionLibrary
+from fmu_build.codegen.held_values import with_values_from_before
 from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.open_connectors import without_open_connectors
@@ -56,6 +57,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         variables = extended.marked(VariableReader(lowered, equations, starts, baked, left_out).read())
     structure = Structure(equations, variables)
     texts = modelica_texts(lowered, equations)
+    written = with_values_from_before(equations)
     tangents, notes = _tangents(equations, variables)
     description = ModelDescription(
         model_name=lowered.name,
@@ -70,7 +72,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         terminals=terminals(lowered),
         has_directional_derivatives=tangents is not None,
     )
-    c_source = write_model(lowered, equations, variables, starts, functions.sources(), tangents)
+    c_source = write_model(lowered, written, variables, starts, functions.sources(), tangents)
     return GeneratedModel(description, c_source, notes)
 
 

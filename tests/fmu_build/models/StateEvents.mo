@@ -344,6 +344,18 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     end when;
   end SharedZero;
 
+  model PassingCondition "A condition that holds only until another equation of the instant has its new value"
+    Boolean tick(start=false, fixed=true);
+    Integer n(start=0, fixed=true);
+    Integer zeros(start=0, fixed=true);
+  equation
+    tick = time >= 0.5;
+    n = if edge(tick) then pre(n) + 1 else pre(n);
+    when edge(tick) and n == 0 then
+      zeros = pre(zeros) + 1;
+    end when;
+  end PassingCondition;
+
   model NoEvents "noEvent and smooth: the same kinks without events"
     Real x(start=-1, fixed=true);
     Real kinked "max(x, 0) written with noEvent";

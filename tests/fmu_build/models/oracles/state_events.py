@@ -264,6 +264,10 @@ def shared_zero(t: Array) -> Values:
     return {"first": 2 + late, "second": 3 * late}
 
 
+def passing_condition(t: Array) -> Values:
+    return {"n": (t > 0.5).astype(float), "zeros": np.zeros_like(t)}
+
+
 def no_events_model(t: Array) -> Values:
     x = t - 1
     kinked, shifted = np.maximum(x, 0), np.maximum(x - 0.5, 0)
@@ -294,6 +298,7 @@ CASES = (
     Case("StateEvents.ExactSteps", 6.0, exact_steps, events=at(0.0, 1.0, 2.0, 4.0, 5.0, 6.0)),
     Case("StateEvents.StepsInRelations", 1.0, steps_in_relations, events=at(0.25, 0.5, 2 / 3, 0.75, 1.0)),
     Case("StateEvents.SharedZero", 1.0, shared_zero, events=at(0.5)),
+    Case("StateEvents.PassingCondition", 1.0, passing_condition, events=at(0.5)),
     Case("StateEvents.IntegerEvents", 8.0, integer_events, events=integer_events_times),
     Case("StateEvents.NoEvents", 3.0, no_events_model),
 )
