@@ -23,6 +23,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
     _reject_overridden_branches(model)
+    _reject_repeated_samples(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
     reject_lost_modifiers(model)
@@ -123,3 +124,16 @@ def _reject_overridden_branches(model: LoweredModel) -> None:
                     branch["span"],
                 )
             before |= {one["Assign"]["target"] for one in branch["equations"] if "Assign" in one}
+
+
+def _reject_repeated_samples(model: LoweredModel) -> None:
+    """Reject a condition with the same ``sample()`` twice, of which rumoca makes none for reinit()."""
+    for chain in model.flat["when_chains"]:
+        for branch in (chain["first"], *chain["else_when"]):
+            calls = expressions(branch["condition"], "BuiltinCall")
+            if len([call for call in calls if call["function"] == "Sample"]) > 1:
+                raise model.unsupported(
+                    "a when-clause with several sample() in its condition is not supported; sample at a "
+                    "common period and count",
+                    branch["span"],
+                )

@@ -7,8 +7,9 @@
 #include <string.h>
 
 /* An indicator changes sign this far beyond the zero of its root, in both directions: an importer that stops at the
- * zero of the indicator then finds the relation changed and the indicator clearly on one side. */
-static const double hysteresis = 1e-12;
+ * zero of the indicator then finds the relation changed and the indicator clearly on one side. A root that is exactly
+ * zero may stay so, as that of max(u, 0) > 0: it counts as beyond if the relation has changed there. */
+static const double hysteresis = 1e-12, beyond = 1e-9;
 
 static bool has_sized(Instance *instance, size_t n, size_t expected, const void *values)
 {
@@ -120,10 +121,16 @@ Status call_get_event_indicators(Instance *instance, double *indicators, size_t 
 {
     if (!has_sized(instance, n, model.n_roots, indicators) || (n > 0 && !evaluation_roots(instance, indicators)))
         return STATUS_ERROR;
+    const double *p = instance->values.p;
     for (size_t i = 0; i < model.n_relations; ++i) {
-        const Relation *relation = &model.relations[i];
-        if (relation->root < n)
-            indicators[relation->root] += instance->values.p[relation->memory] != 0.0 ? -hysteresis : hysteresis;
+        const Relation *r = &model.relations[i];
+        if (r->root < n && indicators[r->root] == 0.0 && relation_holds(r, 0.0) != (p[r->memory] != 0.0))
+            indicators[r->root] = p[r->memory] != 0.0 ? beyond : -beyond;
+    }
+    for (size_t i = 0; i < model.n_relations; ++i) { /* several may have the same root */
+        const Relation *r = &model.relations[i];
+        if (r->root < n)
+            indicators[r->root] += p[r->memory] != 0.0 ? -hysteresis : hysteresis;
     }
     return STATUS_OK;
 }

@@ -10,12 +10,13 @@
  * turn: after ROUNDS_AT_ONCE rounds they change one at a time. If they have not settled after MAX_TURNS turns each, all
  * combinations of at most MAX_CIRCLING relations are tried. */
 enum { ROUNDS_AT_ONCE = 100, MAX_TURNS = 100, MAX_CIRCLING = 10 };
+static const double ROUNDING = 1e-12;
 
 bool iteration_create(Iteration *iteration)
 {
     const size_t n_roots = model.n_roots + model.n_time_relations;
     const size_t n_doubles = 2 * n_roots + model.n_discrete;
-    iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + 2 * model.n_relations) * sizeof(bool) + 1);
+    iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + 3 * model.n_relations) * sizeof(bool) + 1);
     if (iteration->memory == NULL)
         return false;
     iteration->root = iteration->memory;
@@ -24,6 +25,7 @@ bool iteration_create(Iteration *iteration)
     iteration->active = (bool *)(iteration->memory + n_doubles);
     iteration->stopped = iteration->active + model.n_actions;
     iteration->circling = iteration->stopped + model.n_relations;
+    iteration->held = iteration->circling + model.n_relations;
     iteration->any_stopped = false;
     return true;
 }
@@ -186,8 +188,15 @@ static const char *change_in_turn(Iteration *iteration, Values *values)
     return "the discrete equations do not settle: relations or discrete variables change in a circle";
 }
 
+/* Returns whether a relation has its value, or is closer to its zero than `rounding`. */
+static bool is_right(const Iteration *iteration, const Values *values, size_t relation, double rounding)
+{
+    const Relation *r = &model.relations[relation];
+    return values->p[r->memory] == truth(iteration, relation) || fabs(iteration->root[r->root]) <= rounding;
+}
+
 /* Settles everything but the circling relations; returns whether these have the assumed values. */
-static bool is_consistent(Iteration *iteration, Values *values)
+static bool is_consistent(Iteration *iteration, Values *values, double rounding)
 {
     bool changed = true;
     for (int round = 0; changed && round < ROUNDS_AT_ONCE; ++round) {
@@ -201,31 +210,32 @@ static bool is_consistent(Iteration *iteration, Values *values)
         changed |= update_assigned(iteration, values);
     }
     for (size_t i = 0; i < model.n_relations; ++i)
-        if (iteration->circling[i] && values->p[model.relations[i].memory] != truth(iteration, i))
+        if (iteration->circling[i] && !is_right(iteration, values, i, rounding))
             return false;
     return !changed;
 }
 
-/* Fills the memories of the circling relations; returns how many there are, 0 for more than MAX_CIRCLING. */
-static size_t circling_memories(const Iteration *iteration, size_t memory[MAX_CIRCLING])
+/* Lists the circling relations; returns how many there are, 0 for more than MAX_CIRCLING. */
+static size_t list_circling(const Iteration *iteration, size_t relation[MAX_CIRCLING])
 {
     size_t n = 0;
     for (size_t i = 0; i < model.n_relations; ++i)
         if (iteration->circling[i]) {
             if (n == MAX_CIRCLING)
                 return 0;
-            memory[n++] = model.relations[i].memory;
+            relation[n++] = i;
         }
     return n;
 }
 
 /* Tries all combinations of the circling relations. Relations in an algebraic loop can contradict each other in turn
  * although some combination is consistent: an amplifier with positive feedback jumps from one limit to the other, and
- * no combination in between is consistent. */
-static bool find_consistent(Iteration *iteration, Values *values)
+ * no combination in between is consistent. If none is, because of rounding errors at the event, as where friction
+ * breaks away, a relation closer to its zero than `rounding` may have either value; it changes rather than stays. */
+static bool find_consistent(Iteration *iteration, Values *values, double rounding)
 {
-    size_t memory[MAX_CIRCLING];
-    const size_t n = circling_memories(iteration, memory);
+    size_t relation[MAX_CIRCLING];
+    const size_t n = list_circling(iteration, relation);
     double *start = n == 0 ? NULL : malloc((model.n_y + model.n_p) * sizeof(double));
     if (start == NULL)
         return false;
@@ -235,9 +245,11 @@ static bool find_consistent(Iteration *iteration, Values *values)
     for (size_t combination = 0; !found && combination < (size_t)1 << n; ++combination) {
         memcpy(values->y, start, model.n_y * sizeof(double));
         memcpy(values->p, start + model.n_y, model.n_p * sizeof(double));
-        for (size_t k = 0; k < n; ++k)
-            values->p[memory[k]] = (double)(combination >> k & 1);
-        found = is_consistent(iteration, values);
+        for (size_t k = 0; k < n; ++k) {
+            const bool bit = (combination >> k & 1) != 0;
+            values->p[model.relations[relation[k]].memory] = rounding == 0.0 ? bit : bit == iteration->held[relation[k]];
+        }
+        found = is_consistent(iteration, values, rounding);
     }
     free(start);
     return found;
@@ -245,8 +257,12 @@ static bool find_consistent(Iteration *iteration, Values *values)
 
 const char *iteration_settle(Iteration *iteration, Values *values)
 {
+    for (size_t i = 0; i < model.n_relations; ++i)
+        iteration->held[i] = values->p[model.relations[i].memory] != 0.0;
     const char *problem = change_in_turn(iteration, values);
-    return problem == NULL || find_consistent(iteration, values) ? NULL : problem;
+    if (problem == NULL || find_consistent(iteration, values, 0.0) || find_consistent(iteration, values, ROUNDING))
+        return NULL;
+    return problem;
 }
 
 bool iteration_commit_conditions(const Iteration *iteration, Values *values)

@@ -12,6 +12,7 @@ typedef struct {
     double *value;  /* [n_discrete] */
     bool *active;   /* [n_actions] */
     bool *stopped;  /* [n_relations] whether the relation must stay false for now */
+    bool *held;     /* [n_relations] the relations at the start of the pass */
     bool *circling; /* [n_relations] whether the relation or its root changed while nothing settled */
     bool any_stopped;
     char text[NEWTON_TEXT_SIZE]; /* the message of a failure */

@@ -102,10 +102,16 @@ static Crossing narrow(const RootFinder *finder, const double *p, Sample before,
     for (int iteration = 0; iteration < MAX_ITERATIONS; ++iteration) {
         const double width = after.time - before.time;
         const size_t k = model.relations[relation].root;
-        if (width <= resolution || (iteration > 0 && since_crossing(&before, &after, k) <= resolution))
+        /* A root that is exactly zero, as that of max(u, 0) > 0, says nothing about when it became so. */
+        const bool at_zero = after.root[k] == 0.0;
+        if (width <= resolution ||
+            (iteration > 0 && !at_zero && since_crossing(&before, &after, k) <= resolution))
             break;
         const Sample *a = newest_is_after ? &after : &before, *b = newest_is_after ? &before : &after;
-        const double fraction = next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
+        const double fraction =
+            at_zero && third.root[k] == 0.0
+                ? 0.5
+                : next_fraction(a->time, a->root[k], b->time, b->root[k], third.time, third.root[k]);
         /* Aim slightly past the crossing, so that a good guess falls on its far side and ends the search. */
         const double least = fmin(0.5, resolution / width);
         const double aim = (newest_is_after ? 1.0 - fraction : fraction) + 0.5 * least;

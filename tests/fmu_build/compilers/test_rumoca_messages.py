@@ -403,6 +403,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo: elements that a list of indices selects, as v[{1, 3}], are not supported in this place",
     ),
+    "one sampler twice in a condition": Case(
+        _X,
+        "der(x) = 1; when {sample(0.5, 0.5), sample(0.5, 0.5)} then reinit(x, 0); end when;",
+        UnsupportedModelError,
+        "M.mo:4:21: a when-clause with several sample() in its condition is not supported",
+    ),
     "recursive function": Case(
         _function("y := if x <= 0 then 1 else x*f(x - 1);"),
         "y = f(time);",

@@ -356,6 +356,33 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     end when;
   end PassingCondition;
 
+  model StaysAtZero "A relation that is false from where its root becomes zero and stays so"
+    Real u;
+    Real above;
+    Integer n(start=0, fixed=true);
+    Real w(start=0, fixed=true);
+  equation
+    u = 2*sin(3*time);
+    above = max(u - 1, 0);
+    der(w) = if above > 0 then 1 else 0;
+    when above > 0 then
+      n = pre(n) + 1;
+    end when;
+  end StaysAtZero;
+
+  model BreaksAway "Friction in a loop: at the event, each side of the relation contradicts itself by rounding errors"
+    parameter Real F = 2;
+    Real v(start=0, fixed=true);
+    Real a;
+    Real s "The force, or the acceleration from 1 on";
+    Boolean slides;
+  equation
+    der(v) = a;
+    slides = s > 1;
+    a = if slides then s - 1 else 0;
+    3.4*a = F*sin(5*time) - (if slides then 1 else s);
+  end BreaksAway;
+
   model NoEvents "noEvent and smooth: the same kinks without events"
     Real x(start=-1, fixed=true);
     Real kinked "max(x, 0) written with noEvent";

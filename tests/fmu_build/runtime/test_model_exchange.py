@@ -75,7 +75,7 @@ def test_indicators_have_a_hysteresis_about_the_memory(build: Build) -> None:
         _put(instance, 0.4, [height, -1.0])
         assert math.copysign(1, _doubles(instance, "fmi2GetEventIndicators", 1)[0]) == sign, height
     _event(instance)
-    for height, sign in ((-1.1e-12, -1), (0.0, -1), (0.9e-12, -1), (1.1e-12, 1)):
+    for height, sign in ((-1.1e-12, -1), (0.0, 1), (0.9e-12, -1), (1.1e-12, 1)):
         _put(instance, 0.4, [height, 1.0])
         assert math.copysign(1, _doubles(instance, "fmi2GetEventIndicators", 1)[0]) == sign, height
     instance.free()

@@ -268,6 +268,28 @@ def passing_condition(t: Array) -> Values:
     return {"n": (t > 0.5).astype(float), "zeros": np.zeros_like(t)}
 
 
+def stays_at_zero(t: Array) -> Values:
+    begin, end = np.pi / 18, 5 * np.pi / 18
+    return {"w": np.clip(t, begin, end) - begin, "n": (t > begin).astype(float)}
+
+
+def breaks_away(force: float) -> Case:
+    begin = np.arcsin(1 / force) / 5
+
+    def expected(t: Array) -> Values:
+        t = np.maximum(t, begin)
+        return {"v": (force / 5 * (np.cos(5 * begin) - np.cos(5 * t)) - (t - begin)) / 3.4}
+
+    return Case(
+        "StateEvents.BreaksAway",
+        0.4,  # before the force falls below 1
+        expected,
+        events=at(begin),
+        parameters={"F": force},
+        label=f"{force}",
+    )
+
+
 def no_events_model(t: Array) -> Values:
     x = t - 1
     kinked, shifted = np.maximum(x, 0), np.maximum(x - 0.5, 0)
@@ -299,6 +321,8 @@ CASES = (
     Case("StateEvents.StepsInRelations", 1.0, steps_in_relations, events=at(0.25, 0.5, 2 / 3, 0.75, 1.0)),
     Case("StateEvents.SharedZero", 1.0, shared_zero, events=at(0.5)),
     Case("StateEvents.PassingCondition", 1.0, passing_condition, events=at(0.5)),
+    Case("StateEvents.StaysAtZero", 1.0, stays_at_zero, events=at(np.pi / 18, 5 * np.pi / 18)),
+    *(breaks_away(force) for force in (1.3, 1.6, 2.0, 2.3)),
     Case("StateEvents.IntegerEvents", 8.0, integer_events, events=integer_events_times),
     Case("StateEvents.NoEvents", 3.0, no_events_model),
 )
