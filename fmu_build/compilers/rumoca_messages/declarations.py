@@ -191,6 +191,13 @@ DECLARATIONS = (
         only_there=True,
     ),
     Meaning(
+        r"duplicate initial parameter value definition",
+        UnsupportedModelError,
+        "pre(...) of a parameter with fixed = false, as an initial equation, is not supported; give the "
+        "variable the value that the parameter gets",
+        (r"\bpre\s*\(\s*[\w.]+\s*\)\s*=(?!=)",),
+    ),
+    Meaning(
         r"expression shape mismatch",
         UnsupportedModelError,
         "the elements of an array of components take arrays from a literal of braces only; write "

@@ -409,6 +409,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:21: a when-clause with several sample() in its condition is not supported",
     ),
+    "pre() of a parameter that is not fixed": Case(
+        "parameter Integer n0(fixed=false); Integer n;",
+        "when time > 0.5 then n = pre(n) + 1; end when; initial equation n0 = 7; pre(n) = n0;",
+        UnsupportedModelError,
+        "M.mo:4:75: pre(...) of a parameter with fixed = false, as an initial equation, is not supported",
+    ),
     "recursive function": Case(
         _function("y := if x <= 0 then 1 else x*f(x - 1);"),
         "y = f(time);",
