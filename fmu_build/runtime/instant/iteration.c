@@ -15,13 +15,14 @@ static const double ROUNDING = 1e-12;
 bool iteration_create(Iteration *iteration)
 {
     const size_t n_roots = model.n_roots + model.n_time_relations;
-    const size_t n_doubles = 2 * n_roots + model.n_discrete;
+    const size_t n_doubles = 3 * n_roots + model.n_discrete;
     iteration->memory = malloc(n_doubles * sizeof(double) + (model.n_actions + 3 * model.n_relations) * sizeof(bool) + 1);
     if (iteration->memory == NULL)
         return false;
     iteration->root = iteration->memory;
     iteration->before = iteration->root + n_roots;
-    iteration->value = iteration->before + n_roots;
+    iteration->largest = iteration->before + n_roots;
+    iteration->value = iteration->largest + n_roots;
     iteration->active = (bool *)(iteration->memory + n_doubles);
     iteration->stopped = iteration->active + model.n_actions;
     iteration->circling = iteration->stopped + model.n_relations;
@@ -166,6 +167,8 @@ static void note_circling(Iteration *iteration, const Values *values, bool is_fi
         const size_t root = model.relations[i].root;
         const bool moved = !is_first && iteration->root[root] != iteration->before[root];
         iteration->circling[i] |= moved || values->p[model.relations[i].memory] != truth(iteration, i);
+        const double size = fabs(iteration->root[root]);
+        iteration->largest[root] = is_first ? size : fmax(iteration->largest[root], size);
     }
     memcpy(iteration->before, iteration->root, (model.n_roots + model.n_time_relations) * sizeof(double));
 }
@@ -188,15 +191,16 @@ static const char *change_in_turn(Iteration *iteration, Values *values)
     return "the discrete equations do not settle: relations or discrete variables change in a circle";
 }
 
-/* Returns whether a relation has its value, or is closer to its zero than `rounding`. */
-static bool is_right(const Iteration *iteration, const Values *values, size_t relation, double rounding)
+/* Returns whether a relation has its value or, if `rounds`, was never farther from its zero than rounding errors. */
+static bool is_right(const Iteration *iteration, const Values *values, size_t relation, bool rounds)
 {
     const Relation *r = &model.relations[relation];
-    return values->p[r->memory] == truth(iteration, relation) || fabs(iteration->root[r->root]) <= rounding;
+    return values->p[r->memory] == truth(iteration, relation) ||
+           (rounds && fmax(iteration->largest[r->root], fabs(iteration->root[r->root])) <= ROUNDING);
 }
 
 /* Settles everything but the circling relations; returns whether these have the assumed values. */
-static bool is_consistent(Iteration *iteration, Values *values, double rounding)
+static bool is_consistent(Iteration *iteration, Values *values, bool rounds)
 {
     bool changed = true;
     for (int round = 0; changed && round < ROUNDS_AT_ONCE; ++round) {
@@ -210,7 +214,7 @@ static bool is_consistent(Iteration *iteration, Values *values, double rounding)
         changed |= update_assigned(iteration, values);
     }
     for (size_t i = 0; i < model.n_relations; ++i)
-        if (iteration->circling[i] && !is_right(iteration, values, i, rounding))
+        if (iteration->circling[i] && !is_right(iteration, values, i, rounds))
             return false;
     return !changed;
 }
@@ -231,8 +235,9 @@ static size_t list_circling(const Iteration *iteration, size_t relation[MAX_CIRC
 /* Tries all combinations of the circling relations. Relations in an algebraic loop can contradict each other in turn
  * although some combination is consistent: an amplifier with positive feedback jumps from one limit to the other, and
  * no combination in between is consistent. If none is, because of rounding errors at the event, as where friction
- * breaks away, a relation closer to its zero than `rounding` may have either value; it changes rather than stays. */
-static bool find_consistent(Iteration *iteration, Values *values, double rounding)
+ * breaks away, a relation that `rounds` to its zero on both sides may have either value; it changes rather than
+ * stays. */
+static bool find_consistent(Iteration *iteration, Values *values, bool rounds)
 {
     size_t relation[MAX_CIRCLING];
     const size_t n = list_circling(iteration, relation);
@@ -247,9 +252,9 @@ static bool find_consistent(Iteration *iteration, Values *values, double roundin
         memcpy(values->p, start + model.n_y, model.n_p * sizeof(double));
         for (size_t k = 0; k < n; ++k) {
             const bool bit = (combination >> k & 1) != 0;
-            values->p[model.relations[relation[k]].memory] = rounding == 0.0 ? bit : bit == iteration->held[relation[k]];
+            values->p[model.relations[relation[k]].memory] = rounds ? bit == iteration->held[relation[k]] : bit;
         }
-        found = is_consistent(iteration, values, rounding);
+        found = is_consistent(iteration, values, rounds);
     }
     free(start);
     return found;
@@ -260,7 +265,7 @@ const char *iteration_settle(Iteration *iteration, Values *values)
     for (size_t i = 0; i < model.n_relations; ++i)
         iteration->held[i] = values->p[model.relations[i].memory] != 0.0;
     const char *problem = change_in_turn(iteration, values);
-    if (problem == NULL || find_consistent(iteration, values, 0.0) || find_consistent(iteration, values, ROUNDING))
+    if (problem == NULL || find_consistent(iteration, values, false) || find_consistent(iteration, values, true))
         return NULL;
     return problem;
 }

@@ -6,14 +6,15 @@
 #include "newton.h"
 
 typedef struct {
-    double *memory; /* holds the arrays below */
-    double *root;   /* [n_roots + n_time_relations] */
-    double *before; /* [n_roots + n_time_relations] the roots of the round before */
-    double *value;  /* [n_discrete] */
-    bool *active;   /* [n_actions] */
-    bool *stopped;  /* [n_relations] whether the relation must stay false for now */
-    bool *held;     /* [n_relations] the relations at the start of the pass */
-    bool *circling; /* [n_relations] whether the relation or its root changed while nothing settled */
+    double *memory;  /* holds the arrays below */
+    double *root;    /* [n_roots + n_time_relations] */
+    double *before;  /* [n_roots + n_time_relations] the roots of the round before */
+    double *largest; /* [n_roots + n_time_relations] the largest absolute values of the roots while nothing settled */
+    double *value;   /* [n_discrete] */
+    bool *active;    /* [n_actions] */
+    bool *stopped;   /* [n_relations] whether the relation must stay false for now */
+    bool *held;      /* [n_relations] the relations at the start of the pass */
+    bool *circling;  /* [n_relations] whether the relation or its root changed while nothing settled */
     bool any_stopped;
     char text[NEWTON_TEXT_SIZE]; /* the message of a failure */
 } Iteration;
