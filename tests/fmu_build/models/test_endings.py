@@ -83,6 +83,7 @@ def test_nothing_is_said_where_all_is_well(shared_fmus: SharedFmus) -> None:
         ("ImpossibleStart", "At time 0: the initial equations of `x` could not be solved: "),
         ("TwoStarts", "At time 0: the initial equations of `p`, `q` could not be solved: singular Jacobian"),
         ("EndlessEvents", "event iteration does not end"),
+        ("Paradox", "the discrete equations do not settle: relations or discrete variables change"),
         ("OutOfBounds", "index"),
     ],
 )

@@ -109,4 +109,12 @@ package Failing "Models that build, and whose run must end with a message"
   equation
     der(x) = -x;
   end TwoStarts;
+
+  model Paradox "Positive only if it is not: on one side it is exactly the bound"
+    Real x;
+    Boolean b;
+  equation
+    b = x > 0;
+    x = if b then 0 else 1 + time;
+  end Paradox;
 end Failing;
