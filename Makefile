@@ -106,9 +106,11 @@ fmu: $(FMI:%=build/fmi%/.built)
 reverse = $(if $(1),$(call reverse,$(wordlist 2,$(words $(1)),$(1))) $(firstword $(1)))
 
 build/fmi%/.built: $(FMU_SOURCES) $(RUN_READY) build/fmi%/.settings
-	$(BIN)/python -m fmu_build $(if $(filter 3,$*),$(call reverse,$(MODELS)),$(MODELS)) --fmi $* --output build/fmi$* $(FMU_SETTINGS)
+	$(BIN)/python -m fmu_build $(if $(filter 3,$*),$(call reverse,$(MODELS)),$(MODELS)) --fmi $* \
+		--output build/fmi$* $(FMU_SETTINGS)
 	rm -rf build/fmi$*/sensitivities
-	$(if $(filter rumoca,$(COMPILER)),requests=$$($(BIN)/python -I $(SENSITIVE)$(if $(filter 3,$*), | sort -r)) && for one in $$requests; do \
+	$(if $(filter rumoca,$(COMPILER)),requests=$$($(BIN)/python -I $(SENSITIVE)$(if $(filter 3,$*), | sort -r)) && \
+		for one in $$requests; do \
 		$(BIN)/python -m fmu_build PreloadedSprings.Joystick.$${one%%=*} --fmi $* \
 		--output build/fmi$*/sensitivities $(FMU_SETTINGS) --sensitivity $${one#*=} || exit 1; done)
 	touch $(@D)/.first $@

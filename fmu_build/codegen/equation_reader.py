@@ -55,19 +55,15 @@ class _Reader:
         given = StartValues(self.model)
         known = {slot for slot in sought if given.of(slot) != 0.0} | {slot for slot, _ in guesses}
         guesses += tuple(derived_guesses(blocks, known, n_states))
-        actions = self._actions()
-        discrete = self._discrete(
-            n_states
-        )  # last, because it updates the memories that all others have added
         return Equations(
             n_states=n_states,
             n_y=len(self.model.y_names),
             derivatives=tuple(derivatives[i] for i in range(n_states)),
             algebraics=algebraics,
-            discrete=discrete,
+            discrete=self._discrete(n_states),
             clocks=periodic_clocks(self.model),
             pre=self._pre(),
-            actions=actions,
+            actions=self._actions(),
             dependent_parameters=dependent,
             start_values=starts,
             guesses=guesses,
@@ -119,7 +115,6 @@ class _Reader:
                 kind = "condition"
             result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
         self._reject_missing_rows({row.slot for row in result})
-        self.relations.freeze_steps_in_roots()
         floors = (
             DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items()
         )

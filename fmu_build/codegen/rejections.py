@@ -127,7 +127,7 @@ def _reject_overridden_branches(model: LoweredModel) -> None:
 
 
 def _reject_repeated_samples(model: LoweredModel) -> None:
-    """Reject a condition with the same ``sample()`` twice, of which rumoca makes none for reinit()."""
+    """Reject a condition with several ``sample()``; of two equal ones, rumoca leaves reinit() unguarded."""
     for chain in model.flat["when_chains"]:
         for branch in (chain["first"], *chain["else_when"]):
             calls = expressions(branch["condition"], "BuiltinCall")

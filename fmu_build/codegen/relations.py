@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.differentiate import linear_root
@@ -96,15 +96,6 @@ class Relations:
                 self._add(self.crossings, root, holds_at_zero)
         return ex.p(self.floors[node])
 
-    def freeze_steps_in_roots(self) -> None:
-        """Make relations read the memories of floor(), ceil() and trunc(), which have their own crossings.
-
-        A root that jumps to exactly zero, as that of ``floor(x) < 1``, would not be seen to cross it.
-        """
-        for position, relation in enumerate(self.crossings):  # which grows, as steps may be nested
-            memories = {node: self.freeze_step(node) for node in _steps(relation.root)}
-            self.crossings[position] = replace(relation, root=ex.substitute(relation.root, memories))
-
     def freeze(self, node: Expression, unwatched: frozenset[tuple[Expression, bool]]) -> Expression | None:
         """Return the memory that replaces a comparison, adding it if needed; None if the comparison stays."""
         root, holds_at_zero, negated = _as_root(node)
@@ -119,11 +110,6 @@ class Relations:
         if (root, holds_at_zero) in unwatched:
             return _memory(self._add(self.crossings, root, holds_at_zero), negated)
         return None
-
-
-def _steps(*expressions: Expression) -> list[Expression]:
-    """Return the calls of floor(), ceil() and trunc() that change during the simulation."""
-    return [node for node in ex.walk(*expressions) if node.operator in _STEPS and ex.varies(node)]
 
 
 def _memory(index: int, negated: bool) -> Expression:
@@ -231,16 +217,17 @@ def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
 
 def _with_steps_frozen(root: Expression) -> Expression:
     """Return the expression with a parameter for each floor(), ceil() and trunc(), which change at events."""
-    return ex.substitute(root, dict.fromkeys(_steps(root), ex.p(0)))
+    return ex.substitute(root, {node: ex.p(0) for node in ex.walk(root) if node.operator in _STEPS})
 
 
 def freeze_comparisons(
     roots: Iterable[Expression], relations: Relations, unwatched: frozenset[tuple[Expression, bool]]
 ) -> dict[Expression, Expression]:
     """Return the substitutions that make expressions read memories instead of comparing directly."""
-    roots = tuple(roots)
-    replacements = {node: relations.freeze_step(node) for node in _steps(*roots)}
+    replacements: dict[Expression, Expression] = {}
     for node in ex.walk(*roots):
+        if node.operator in _STEPS and ex.varies(node):
+            replacements[node] = relations.freeze_step(node)
         if node.operator in ("Lt", "Le", "Gt", "Ge"):
             memory = relations.freeze(node, unwatched)
             if memory is not None:
