@@ -1,7 +1,7 @@
 # make run    environment, two FMUs, the paper's free oscillation compared with the reference
 # make test   the tests of the code
-# make test-release  the tests of what a release consists of: wheel, site, its pages carried out as printed, binaries for
-#             other platforms, sanitizers, benchmarks
+# make test-release  the other tests: of what a release consists of (wheel, site, its pages and the scenarios carried out
+#             as printed, binaries for other platforms, sanitizers, benchmarks), and studies of many fits and runs
 # make env    the whole environment, with Numba and the tools of tests and documentation (make run needs a third)
 # make test-quick  what takes less than a minute: no compiler, no site; with the FMUs that make fmu made
 # make fmu    the twelve FMUs in build/fmi2/, and two with sensitivities in build/fmi2/sensitivities/ (COMPILER=openmodelica makes them with an installed OpenModelica,

@@ -2,9 +2,9 @@
 
     python -m benchmarks.latency
 
-Each command runs in a separate process, alternating with one that only imports pandas and Matplotlib, which
-programs with tables and figures need anyway. Imports are measured by ``python -X importtime``, each module
-without its own imports.
+Each command runs in a separate process, alternating with one that only imports FMPy and pandas and draws
+three plots with Matplotlib: what these packages alone need. Imports are measured by ``python -X importtime``,
+each module without its own imports. The compiled loop is compared with a one-line function compiled by Numba.
 """
 
 from __future__ import annotations
@@ -33,7 +33,16 @@ COMMANDS: Final = {
     "free-oscillation": ["free-oscillation"],
     "free-oscillation --plot": ["free-oscillation", "--plot", "run.png"],
 }
-_IMPORTS: Final = "import pandas, matplotlib.figure"
+#: A table and a figure without this project.
+_PACKAGES_ALONE: Final = """
+import fmpy, numpy, pandas
+from matplotlib.figure import Figure
+figure = Figure(layout="constrained")
+times = numpy.linspace(0.0, 1.5, 1501)
+for axes in figure.subplots(3, sharex=True):
+    axes.plot(times, numpy.sin(20.0 * times))
+figure.savefig("packages.png", dpi=200)
+"""
 _PACKAGES_SHOWN: Final = 4
 _LINE: Final = re.compile(r"import time:\s+(?P<own>\d+) \|\s+\d+ \| +(?P<module>\S+)")
 #: Prints the CPU seconds of a batch, including those of loading or compiling the loop.
@@ -49,6 +58,19 @@ with Fmu(find_fmu("Joystick")) as fmu:
     print(time.process_time() - begun)
 """
 
+#: Prints the CPU seconds of importing Numba and calling a compiled function, which is then on disk.
+_NUMBA_ALONE: Final = """
+import time
+import numpy, pandas
+begun = time.process_time()
+from numba import njit
+@njit("f8(f8)", cache=True)
+def increased(number):
+    return number + 1.0
+increased(1.0)
+print(time.process_time() - begun)
+"""
+
 
 def main(rounds: Annotated[int, typer.Option(min=1, help="How often each command is run.")] = 9) -> None:
     """Time the commands and the compiled loop; print Markdown."""
@@ -59,19 +81,21 @@ def main(rounds: Annotated[int, typer.Option(min=1, help="How often each command
 def commands_table(folder: Path, rounds: int) -> str:
     """A row for each command, from `rounds` rounds in an empty folder."""
     ways = {name: _program(words) for name, words in COMMANDS.items()}
-    times = _in_turns({_IMPORTS: ["-c", _IMPORTS], **ways}, folder, rounds)
+    alone = "packages alone"
+    times = _in_turns({alone: ["-c", _PACKAGES_ALONE], **ways}, folder, rounds)
     rows = []
     for name in ways:
-        ratio = statistics.median(a / b for a, b in zip(times[name], times[_IMPORTS], strict=True))
+        ratio = statistics.median(a / b for a, b in zip(times[name], times[alone], strict=True))
         packages = imported(ways[name], folder).most_common(_PACKAGES_SHOWN)
         most = ", ".join(f"{package} {microseconds / 1e3:.0f}" for package, microseconds in packages)
         rows.append([f"`{name}`", f"{statistics.median(times[name]):.2f}", f"{ratio:.2f}", most])
-    header = ["command", "CPU (s)", f"times `{_IMPORTS}`", "most of the imports (ms)"]
+    rows.append([alone, f"{statistics.median(times[alone]):.2f}", "1", ""])
+    header = ["command", "CPU (s)", f"times {alone}", "most of the imports (ms)"]
     return TextTable(header, rows).markdown()
 
 
 def loop_table(folder: Path) -> str:
-    """200 runs by the plain loop, and by the compiled one in a first and in a second process."""
+    """200 runs by the plain loop, and by the compiled one in a first and in a second process; Numba alone."""
     compiled = {"NUMBA_CACHE_DIR": str(folder / "numba")}
     ways: dict[str, dict[str, str]] = {
         "plain loop": {"PYJOYSTICK_PLAIN_LOOP": "1"},
@@ -79,6 +103,11 @@ def loop_table(folder: Path) -> str:
         "compiled, second process": compiled,
     }
     rows = [[name, f"{float(_output(['-c', _LOOP], variables)):.2f}"] for name, variables in ways.items()]
+    # Numba keeps on disk only what comes from a file.
+    script = folder / "numba_alone.py"
+    script.write_text(_NUMBA_ALONE)
+    _output([str(script)], compiled)
+    rows.append(["Numba alone, second process", f"{float(_output([str(script)], compiled)):.2f}"])
     return TextTable(["200 runs", "CPU (s)"], rows).markdown()
 
 

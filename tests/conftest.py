@@ -21,15 +21,50 @@ from tests.shared_fmus import SharedFmus
 
 ROOT = Path(__file__).parents[1]
 #: What a release consists of, and what takes long to make: the wheel, the site, its pages carried out as
-#: printed, binaries for other platforms, the runtime under sanitizers, benchmarks. A change of the code alone
-#: seldom breaks these.
-RELEASE = (
-    *("benchmarks", "docs/test_pages.py::test_a_page_from_top_to_bottom", "docs/test_site.py"),
-    *("fmu_build/packaging/test_binaries.py::test_a_stored_runtime_gives_the_same_library",),
-    *("fmu_build/packaging/test_package.py::test_an_fmu_for_another_machine",),
-    *("fmu_build/packaging/test_rebuild.py", "fmu_build/platforms", "fmu_build/runtime/test_sanitizers.py"),
-    *("test_wheel.py", "test_your_joystick.py"),
+#: printed, the scenario scripts, binaries for other platforms, the runtime under sanitizers, benchmarks. A
+#: change of the code alone seldom breaks these.
+SHIPPED = (
+    "benchmarks",
+    "docs/test_live_page.py",
+    "docs/test_pages.py::test_a_page_from_top_to_bottom",
+    "docs/test_site.py",
+    "fmu_build/packaging/test_binaries.py::test_a_stored_runtime_gives_the_same_library",
+    "fmu_build/packaging/test_package.py::test_an_fmu_for_another_machine",
+    "fmu_build/packaging/test_rebuild.py",
+    "fmu_build/platforms",
+    "fmu_build/runtime/test_sanitizers.py",
+    "pyjoystick/reports/claims",
+    "scenarios",
+    "test_wheel.py",
+    "test_your_joystick.py",
 )
+#: Studies with many joysticks, records, motions or processes. What they use has quicker tests of its own.
+STUDIES = (
+    "fmu_build/explore/test_numbers.py",
+    "fmu_build/models/test_derivatives.py::test_so_are_those_of_other_times",
+    "fuzz",
+    "joystick_fmu/test_flange.py::test_co_simulation",
+    "joystick_fmu/test_reuse.py",
+    "joystick_fmu/test_sensitivities.py::test_random_joysticks",
+    "pyjoystick/cli/test_export.py::test_an_exported_fmu_is_its_own_joystick_in_commands",
+    "pyjoystick/cli/test_export.py::test_stops_of_an_exported_fmu",
+    "pyjoystick/cli/test_response.py::test_branches_over_a_parameter",
+    "pyjoystick/cli/test_response.py::test_the_motions_at_one_frequency",
+    "pyjoystick/fmu/test_own_process.py::test_a_batch_survives_everything",
+    "pyjoystick/forced_motion/periodic/test_continuation.py",
+    "pyjoystick/forced_motion/response/test_attractors.py",
+    "pyjoystick/identification/fitting/test_missing_physics.py",
+    "pyjoystick/identification/fitting/test_order.py",
+    "pyjoystick/identification/fitting/test_recovery.py",
+    "pyjoystick/identification/fitting/test_selection.py",
+    "pyjoystick/model/reference/test_accuracy.py",
+    "pyjoystick/reports/export/test_fmus.py::test_an_exported_fmu_is_the_joystick_of_the_file",
+    "pyjoystick/reports/html_report/test_report.py",
+    "pyjoystick/runs/sweeps/test_cluster.py::test_a_worker_is_lost",
+    "pyjoystick/runs/sweeps/test_cluster.py::test_ctrl_c_and_a_lost_scheduler_lose_nothing",
+    "pyjoystick/runs/sweeps/test_interruption.py::test_a_stopped_sweep_goes_on_from_there",
+)
+RELEASE = (*SHIPPED, *STUDIES)
 #: What the quick part leaves out, besides tests that build FMUs: those that compile or start other
 #: programs, and those that take more than some seconds for other reasons.
 SLOW = (

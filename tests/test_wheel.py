@@ -90,7 +90,10 @@ def _run(python: Path, folder: Path, *arguments: str) -> subprocess.CompletedPro
 
 def test_one_small_file_serves_all_platforms(wheel: Path) -> None:
     assert wheel.name.endswith("-py3-none-any.whl")
-    assert wheel.stat().st_size <= LARGEST
+    size = wheel.stat().st_size
+    assert size <= LARGEST
+    for page in ("README.md", "docs/index.md", "docs/install.md"):
+        assert f"same {size / 1e6:.0f} MB wheel" in (ROOT / page).read_text(), page
 
 
 @pytest.mark.parametrize(
