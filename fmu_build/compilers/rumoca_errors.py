@@ -33,6 +33,7 @@ _SIZE = re.compile(
     r"unevaluable array dimensions for '(?P<name>[^']*)': dimension expression could not be evaluated: "
     r"\[(?:Expression\()?(?P<size>.*?)\)?\]"
 )
+_FUNCTION_TYPES = re.compile(r"type mismatch: expected `[^`]+`, found `[^`]+`")
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 _OWNER = re.compile(r"unsupported Flat semantic owner `([^`]*)`: ")
 
@@ -94,21 +95,32 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
     if places:
         if _SIZE.search(message):
             return UnsupportedModelError(_SIZE.sub(_unknown_size, "\n".join(places)))
+        if _FUNCTION_TYPES.search(message):
+            return _explained(message, model, file, files) or ModelicaError("\n".join(places))
         return ModelicaError("\n".join(places))
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
+    explained = _explained(message, model, file, files)
+    if explained is not None:
+        return explained
     source = ModelText(model, {file: read_text(file) for file in files})
-    meaning = meaning_of(message, source)
-    if meaning is not None:
-        found = meaning.search(message, source)
-        what = meaning.text(message, found)
-        return meaning.error(located(what, [construct.place for construct in found], model, file))
     quoted = _QUOTED.search(_OWNER.sub("", message))
     found = source.find([rf"(?<![\w.]){re.escape(quoted[1])}(?!\w)"]) if quoted is not None else []
     not_carried = "unsupported" in message or _AFTER_TYPES.match(text)
     error = UnsupportedModelError if not_carried else ModelicaError
     what = _OWNER.sub(r"rumoca does not support this \1: ", message)
     return error(located(what, [construct.place for construct in found], model, file))
+
+
+def _explained(message: str, model: str, file: Path, files: Iterable[Path]) -> BuildError | None:
+    """Return the error for a message that has a meaning, with the places of what may have caused it."""
+    source = ModelText(model, {file: read_text(file) for file in files})
+    meaning = meaning_of(message, source)
+    if meaning is None:
+        return None
+    found = meaning.search(message, source)
+    what = meaning.text(message, found)
+    return meaning.error(located(what, [construct.place for construct in found], model, file))
 
 
 def _unknown_size(found: re.Match[str]) -> str:

@@ -11,6 +11,7 @@ STRING = r'"(?:[^"\\]|\\.)*"'
 
 _SKIPPED = re.compile(rf"('(?:[^'\\\n]|\\.)*')|{STRING}|//[^\n]*|/\*.*?\*/", re.DOTALL)
 _TOKEN = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_][A-Za-z0-9_]*|[=;.]")
+_OPENING = re.compile(r"\s*\(")
 _KINDS = frozenset(
     {"model", "block", "class", "package", "function", "record", "connector", "type", "operator"}
 )
@@ -62,6 +63,8 @@ def declarations(text: str) -> Iterator[Declaration]:
                 continue
             if name == "extends":
                 name, following = following, ""
+            elif _OPENING.match(plain, tokens[position + 1].end()):
+                continue  # a function as an argument: function f(a = 2)
             kind = f"partial {word}" if previous == "partial" else word
             start = tokens[position].start()
             if following == "=":

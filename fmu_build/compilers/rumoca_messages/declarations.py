@@ -187,7 +187,9 @@ DECLARATIONS = (
         r"expression shape mismatch",
         UnsupportedModelError,
         "sign() has a Real value here, which an Integer does not take; write integer(sign(...))",
-        (r"\bInteger\s+(?=(\w+)\b[^;]*(?:;[\s\S]{0,4000}?(?<![\w.])\1\s*)?=\s*-?\s*sign\s*\()",),
+        (
+            r"\bInteger\s+(?=(\w+)\b[^;]*(?:;[\s\S]{0,4000}?(?<![\w.])\1\s*)?=(?!=)[^;<>]*?(?<![\w.])sign\s*\()",
+        ),
         only_there=True,
     ),
     Meaning(

@@ -7,6 +7,20 @@ from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 FUNCTIONS = (
     Meaning(
+        r"type mismatch: expected `(?P<base>[^`]+)`, found `(?:[^`]*\.)?(?P<name>\w+)`",
+        UnsupportedModelError,
+        "the function {name} as an argument is supported only if it extends {base}, which is partial",
+        (r"\bfunction\s+NAME\s*(?=\()",),
+        only_there=True,
+    ),
+    Meaning(
+        r"'(?P<name>\w+)' is a class, not a variable; cannot be used as a value",
+        UnsupportedModelError,
+        "a function as an argument is supported only as function {name}()",
+        (r"\bfunction\s+NAME\b",),
+        only_there=True,
+    ),
+    Meaning(
         r"`function return`",
         UnsupportedModelError,
         "a return inside a loop or a nested branch of a function is not supported",

@@ -56,6 +56,11 @@ _BELOW = (
     'function below input Real x; algorithm assert(x < 0.5, "large"); end below; '
     "function same input Real x; output Real y; algorithm y := x; end same; "
 )
+_WITH_ARGUMENT = (
+    "partial function base input Real x; output Real y; end base; "
+    "function scaled extends base; input Real a; algorithm y := a*x; end scaled; "
+    "function of input base f; input Real x; output Real y; algorithm y := f(x); end of; "
+)
 _SET = "when time > {} then n = {}; end when;"
 ONE, TWO, THREE = (_SET.format(0.2 * number, number) for number in (1, 2, 3))
 
@@ -76,6 +81,9 @@ ONE, TWO, THREE = (_SET.format(0.2 * number, number) for number in (1, 2, 3))
         ("Falls a;", ""),
         ("Counts a[2];", ""),
         ("Counts a(final up = true); Counts b;", ""),
+        # Scanned from the source, where it once seemed to be part of a function.
+        (f"{_WITH_ARGUMENT} {_B} {_N} Real y = of(function scaled(a = 5), time);",
+         f"if b then {ONE} else {TWO} end if;"),
     ],
 )  # fmt: skip
 def test_clauses_that_would_be_left_out_are_refused(

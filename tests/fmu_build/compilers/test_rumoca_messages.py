@@ -25,6 +25,12 @@ class Case:
     message: str
 
 
+_WITH_ARGUMENT = (
+    "partial function base input Real x; output Real y; end base; function g input base h; input Real x; "
+    "output Real y; algorithm y := h(x); end g; "
+)
+
+
 def _function(body: str, local: str = "") -> str:
     return f"function f input Real x; output Real y; {local} algorithm {body} end f; Real y;"
 
@@ -174,6 +180,24 @@ _CASES = {
         "i = C*(der(v) - der(u)); i = -v; der(u) = i - u;",
         UnsupportedModelError,
         "M.mo: the factor of a der(...) is zero, or not finite, with the values of its parameters",
+    ),
+    "a function as an argument without parentheses": Case(
+        _WITH_ARGUMENT + "function f extends base; algorithm y := 2*x; end f; Real y;",
+        "y = g(f, time);",
+        UnsupportedModelError,
+        "M.mo:2:146: a function as an argument is supported only as function f()",
+    ),
+    "a function as an argument that does not extend": Case(
+        _WITH_ARGUMENT + "function f input Real x; output Real y; algorithm y := 2*x; end f; Real y;",
+        "y = g(function f(), time);",
+        UnsupportedModelError,
+        "M.mo:4:9: the function f as an argument is supported only if it extends M.base, which is partial",
+    ),
+    "sign() in a sum that an Integer equals": Case(
+        "Integer n;",
+        "n = integer(3*time) + sign(time - 0.5);",
+        UnsupportedModelError,
+        "M.mo:2:3: sign() has a Real value here, which an Integer does not take; write integer(sign(...))",
     ),
     "an Integer that equals sign()": Case(
         "Integer s;",
