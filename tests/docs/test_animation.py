@@ -42,7 +42,6 @@ def test_keyframes_follow_corners() -> None:
     assert frames == [("0%", "0"), ("50%", "20"), ("100%", "0")]
 
 
-@pytest.mark.xdist_group("browser")
 @pytest.mark.parametrize("motion", ["reduce", "no-preference"])
 @pytest.mark.parametrize(("scheme", "ground"), [("light", (255, 255, 255)), ("dark", (29, 33, 39))])
 def test_it_keeps_to_what_the_reader_prefers(

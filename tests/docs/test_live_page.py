@@ -14,8 +14,6 @@ pytest.importorskip("sphinx", reason="the extra docs is not installed")
 from extensions import live_page
 from sphinx.errors import ExtensionError
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 
 @pytest.fixture(scope="module")
 def site(joystick_fmus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:

@@ -89,7 +89,6 @@ def address(tmp_path: Path) -> Iterator[str]:
         server.shutdown()
 
 
-@pytest.mark.xdist_group("browser")
 @pytest.mark.parametrize(
     ("page", "other"), [("api/fmu.html", "api/fmu.html"), ("new.html", "index.html"), ("", "index.html")]
 )

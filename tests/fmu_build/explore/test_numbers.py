@@ -14,7 +14,6 @@ from tests.browser import LivePage
 from tests.fmu_build.explore.conftest import Pages
 from tests.fmu_build.random_joysticks import random_joysticks
 
-pytestmark = pytest.mark.xdist_group("browser")
 #: The C libraries of the module and of the FMU round `pow` and the like differently.
 _CLOSE = {"rtol": 1e-9, "atol": 1e-9}
 #: Of one page: since its version 156.0.8078.108, Chromium saves ten files of a page and then no more.

@@ -16,8 +16,6 @@ from fmu_build.explore.command import app
 from tests.browser import LivePage
 from tests.fmu_build.explore.conftest import Pages
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 Live = Callable[..., LivePage]
 #: Whether a canvas has a point of a color.
 _HAS = """(canvas, color) => {

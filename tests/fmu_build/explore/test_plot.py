@@ -12,8 +12,6 @@ import fmu_build.explore
 from fmu_build.explore.bundle import bundle
 from tests.browser import leave, tab
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _ASSETS = Path(fmu_build.explore.__file__).parent / "assets"
 #: A plot of some values over their numbers: [[text, x, y] of each label, height of each point of the curve].
 _DRAW = """([script, values]) => {

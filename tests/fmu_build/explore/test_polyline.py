@@ -13,8 +13,6 @@ from playwright.sync_api import Browser
 import fmu_build.explore
 from tests.browser import leave, tab
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _SCRIPT = Path(fmu_build.explore.__file__).parent / "assets" / "polyline.js"
 _TRACE = """async ([script, points]) => {
   const { trace } = await import(URL.createObjectURL(new Blob([script], { type: "text/javascript" })));

@@ -16,8 +16,6 @@ from pyjoystick.fmu import Fmu
 from tests.browser import LivePage
 from tests.pyjoystick.reports.live_page.conftest import Live
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _SHOWN = ("theta", "theta_ref", "omega_ref", "grip", "T_hand")
 #: The handle swings as long as a run takes: not long, because frames take their time on a busy machine.
 _BRIEF = "#:stop=0.4"

@@ -22,8 +22,6 @@ from pyjoystick.reports.live_page.joystick_page import joystick_page
 from tests.browser import LivePage
 from tests.pyjoystick.reports.live_page.conftest import Live
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _RECORDS = Path(__file__).parents[4] / "scenarios" / "data"
 _RECORD = _RECORDS / "synthetic_constant_1.csv"
 

@@ -21,8 +21,6 @@ from pyjoystick.motion import read_record
 from pyjoystick.reports.live_page.widget import JoystickWidget
 from pyjoystick.support import MissingPackageError, ParameterError, UnknownParameterError
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _RECORD = Path(__file__).parents[4] / "scenarios" / "data" / "synthetic_constant_1.csv"
 _ADDRESS = "http://notebook.test/"
 #: What anywidget gives to its scripts: https://anywidget.dev/en/afm/.

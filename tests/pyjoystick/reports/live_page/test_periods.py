@@ -21,8 +21,6 @@ from pyjoystick.motion import find_peaks, periods
 from tests.browser import LivePage
 from tests.pyjoystick.reports.live_page.conftest import Live
 
-pytestmark = pytest.mark.xdist_group("browser")
-
 _RECORDS = Path(__file__).parents[4] / "scenarios" / "data"
 
 
