@@ -247,7 +247,7 @@ def omc(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Omc]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """A headless Chromium for the tests of a file, which belong to the group ``browser``.
+    """A headless Chromium for the tests of a file.
 
     Not for the whole session: Playwright's event loop runs as long as the browser does, and no other test of
     that process could start one.
