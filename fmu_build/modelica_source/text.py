@@ -63,8 +63,8 @@ def declarations(text: str) -> Iterator[Declaration]:
                 continue
             if name == "extends":
                 name, following = following, ""
-            elif _OPENING.match(plain, tokens[position + 1].end()):
-                continue  # a function as an argument: function f(a = 2)
+            elif following == "." or _OPENING.match(plain, tokens[position + 1].end()):
+                continue  # a function as an argument: function Library.f(a = 2)
             kind = f"partial {word}" if previous == "partial" else word
             start = tokens[position].start()
             if following == "=":

@@ -54,6 +54,13 @@ def _found(library: Path, model: str, *patterns: str) -> dict[str, str]:
     return {construct.text: str(construct.place).removeprefix(f"{library}/") for construct in found}
 
 
+@pytest.mark.parametrize("argument", ["function f(a = 2)", "function f ( )", "function Lib.'f 1'.g(a = 2)"])
+def test_a_function_as_an_argument_declares_no_class(argument: str, tmp_path: Path) -> None:
+    text = f"model M\n  Real y = integral({argument}, time);\n  Real z = der(y);\nend M;\n"
+    found = ModelText("M", {tmp_path / "M.mo": text}).find(_DER)
+    assert [(one.text, one.place.line) for one in found] == [("der(y)", 3)]
+
+
 def test_base_classes_and_replaceable_classes_belong_to_a_model(library: Path) -> None:
     assert _found(library, "Lib.A") == {
         "der(k)": "package.mo:7:48",
