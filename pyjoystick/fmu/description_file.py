@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
@@ -28,8 +28,8 @@ def read_description(path: Path) -> FmuDescription:
     """Read the description without loading the FMU's binary; FMI 2.0 and 3.0 are supported.
 
     Raises:
-        FmuFileError: the file is not a ZIP archive, its modelDescription.xml is missing or unreadable, or it
-            is larger than `limits` allows
+        FmuFileError: the file is not a ZIP archive, has paths that lead out of it, its modelDescription.xml
+            is missing or unreadable, or it is larger than `limits` allows
         UnsupportedFmuError: the FMU has another FMI version
     """
     try:
@@ -40,6 +40,9 @@ def read_description(path: Path) -> FmuDescription:
         raise
     except ARCHIVE_ERRORS as error:
         raise FmuFileError(path, f"not an FMU: {archive_problem(error)}") from error
+    for name in files:
+        if "\\" in name or ":" in name or name.startswith("/") or ".." in name.split("/"):
+            raise FmuFileError(path, f"contains a file whose path may lead elsewhere: {name!r}")
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
@@ -57,26 +60,39 @@ def _co_simulation(path: Path) -> Mapping[str, str]:
     """Attributes of the element CoSimulation, empty if there is none.
 
     FMPy reads the whole description, which takes minutes for a huge one. This function therefore checks it
-    first, and raises FmuFileError for an unknown FMI version or too many variables.
+    first, and raises FmuFileError for an unknown FMI version, too many variables, or one whose name is
+    missing or another's.
     """
-    is_known, variables, found = False, 0, {}
+    is_known, found = False, {}
+    variables: set[str] = set()
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        nonlocal is_known, variables, found
+        nonlocal is_known, found
         if not is_known:
             _require_known_version(path, name, attributes)
             is_known = True
         if name == "CoSimulation":
             found = attributes
-        if "valueReference" in attributes and "name" in attributes:
-            variables += 1
-            require_at_most(path, "declares {} variables or more", variables, MOST_VARIABLES)
+        if name == "ScalarVariable" or {"valueReference", "name"} <= attributes.keys():
+            _require_own_name(path, attributes, variables)
+            variables.add(attributes["name"])
+            require_at_most(path, "declares {} variables or more", len(variables), MOST_VARIABLES)
 
     parser = expat.ParserCreate()
     parser.StartElementHandler = start
     with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
         parser.ParseFile(file)
     return found
+
+
+def _require_own_name(path: Path, attributes: Mapping[str, str], others: Set[str]) -> None:
+    name = attributes.get("name", "")
+    if not name:
+        raise FmuFileError(path, f"variable {len(others) + 1} in its modelDescription.xml has no name")
+    if name in others:
+        raise FmuFileError(path, f"two variables in its modelDescription.xml have the name {name!r}")
+    if "valueReference" not in attributes:
+        raise FmuFileError(path, f"variable {name!r} in its modelDescription.xml has no valueReference")
 
 
 def _require_known_version(path: Path, root: str, attributes: Mapping[str, str]) -> None:

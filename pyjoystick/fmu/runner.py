@@ -188,15 +188,15 @@ class Runner:
                 instants.append(end)
         numbers = np.full((len(instants), max(program.columns, default=-1) + 1), np.nan)
         decode(program.outputs, program.columns, self._workspace.raw, program.outputs_stride, numbers)
-        return Samples(np.array(instants), numbers, self.recorded()[: len(instants)])
+        return Samples(np.array(instants), numbers, self.recorded(len(instants)))
 
-    def recorded(self) -> NDArray[np.void]:
-        """Samples of the last run as the FMU stores them, by variable, shape (samples,).
+    def recorded(self, count: int | None = None) -> NDArray[np.void]:
+        """The first `count` samples of the last run as the FMU stores them, by variable, shape (samples,).
 
-        Texts are Python strings.
+        Texts are Python strings. Of a run that ended early, the other samples have none: no address to read.
         """
         raw: NDArray[np.void] = self._workspace.raw.view(self._job.preparation.outputs.dtype)
-        return self._job.preparation.outputs.readable(raw.copy())
+        return self._job.preparation.outputs.readable(raw[:count].copy())
 
     def _take(self, run: int = 0) -> None:
         if self._pool.place is not None:

@@ -89,3 +89,34 @@ def test_a_value_reference_out_of_range(reference: int, joystick_path: Path, tmp
     )
     with pytest.raises(FmuFileError, match=expected):
         read_description(path)
+
+
+@pytest.mark.parametrize("name", ["/tmp/evil", "..\\evil", "resources/../../evil", "C:evil"])
+def test_a_path_that_leads_elsewhere(name: str, tmp_path: Path, joystick_path: Path) -> None:
+    path = doctored(
+        joystick_path, tmp_path / "odd.fmu", rename=lambda old: name if "resources" in old else old
+    )
+    with zipfile.ZipFile(path, "a") as file:
+        file.writestr(zipfile.ZipInfo(name), "")
+    with pytest.raises(
+        FmuFileError, match=r"odd\.fmu: contains a file whose path may lead elsewhere: .*evil"
+    ):
+        Fmu(path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('name="theta"', 'name="omega"', "two variables in its modelDescription.xml have the name 'omega'"),
+        ('name="theta"', 'name=""', r"variable \d+ in its modelDescription.xml has no name"),
+        ('name="theta" valueReference="[^"]*"', 'name="theta"', "variable 'theta' .* has no valueReference"),
+    ],
+)
+def test_variables_that_cannot_be_told_apart(
+    old: str, new: str, message: str, tmp_path: Path, joystick_path: Path
+) -> None:
+    path = doctored(
+        joystick_path, tmp_path / "odd.fmu", description=lambda text: re.sub(old, new, text, count=1)
+    )
+    with pytest.raises(FmuFileError, match=rf"odd\.fmu: {message}"):
+        read_description(path)

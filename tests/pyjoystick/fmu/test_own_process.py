@@ -157,11 +157,12 @@ def test_the_samples_of_a_run_that_the_fmu_ends(
         settings = {"trouble": int(Trouble.ENDS), "when": 0.1}
         message = "the FMU ended the simulation at t = 0.15 s"
         with pytest.raises(FmuEndedError, match=message) as caught:
-            fmu.run(TIME, parameters=settings, inputs={"u": 1.0}, outputs=["y", "negated"])
+            fmu.run(TIME, parameters=settings, inputs={"u": 1.0}, outputs=["y", "negated", "said"])
         table = caught.value.samples
         assert table.index.tolist() == pytest.approx([0.0, 0.1, 0.15])
         assert table["y"].tolist() == pytest.approx([0.0, 0.1, 0.15])
         assert table["negated"].dtype == np.bool_
+        assert table["said"].tolist() == ["label"] * 3  # the other samples have no text that could be read
         plan = fmu.plan(TIME, varied="gain", parameters=settings, inputs={"u": 1.0}, outputs="y")
         with pytest.raises(FmuEndedError, match=message) as caught:
             plan.run([2.0])

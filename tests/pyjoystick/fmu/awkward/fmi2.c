@@ -183,3 +183,11 @@ fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference r[], size_t n
             strncpy(((Model *)c)->label, value[i], sizeof((Model *)c)->label - 1);
     return fmi2OK;
 }
+
+fmi2Status fmi2GetString(fmi2Component c, const fmi2ValueReference r[], size_t n, fmi2String value[])
+{
+    (void)r;
+    for (size_t i = 0; i < n; ++i)
+        value[i] = ((Model *)c)->label;
+    return fmi2OK;
+}
