@@ -16,6 +16,10 @@ from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownI
 if TYPE_CHECKING:
     import pandas as pd
 
+#: Largest relative difference of the lengths of steps that count as equal: times in files are rounded.
+EQUAL_STEPS: Final = 1e-3
+ONE_STEP_LENGTH: Final = "{} takes communication steps of one length only, as its description says"
+
 #: Constants by name of the input, or a table indexed by time (s) with one column per input. Between rows,
 #: continuous inputs are linear and others keep their value; before the first and after the last row, all
 #: are constant. Two rows with the same time are a jump to the second. If `attrs["units"]` of the table gives
@@ -168,8 +172,19 @@ def _constant(name: str, value: object) -> NDArray[Any]:
     return np.array([value], dtype=object if isinstance(value, str) else None)
 
 
-def communication_points(instants: FloatArray, table: InputTable) -> FloatArray:
-    """The output times and, between them, the times at which the inputs have a kink or a jump."""
+def communication_points(description: FmuDescription, instants: FloatArray, table: InputTable) -> FloatArray:
+    """The output times and, between them, the times at which the inputs have a kink or a jump.
+
+    Only the output times, which must be equally spaced, for an FMU that takes steps of one length only.
+    """
+    if not description.variable_steps:
+        steps = np.diff(instants)
+        if steps.max() - steps.min() > EQUAL_STEPS * steps.max():
+            given = f"steps of {steps.min():.6g} s to {steps.max():.6g} s"
+            raise ParameterError(
+                "time", given, "equally spaced", ONE_STEP_LENGTH.format(description.path.name)
+            )
+        return instants
     inner = table.time[(table.time > instants[0]) & (table.time < instants[-1])]
     return np.union1d(instants, inner) if inner.size else instants
 

@@ -77,7 +77,7 @@ class Plan:
             self.variables, self.left_out = default_outputs(description)
         else:
             self.variables = checked_outputs(description, outputs, texts=True)
-        points = communication_points(self.time, table) if description.variable_steps else self.time
+        points = communication_points(description, self.time, table)
         self._preparation = prepare(
             description,
             pool.library.fmi if isinstance(pool, InstancePool) else None,

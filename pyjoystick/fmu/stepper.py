@@ -11,7 +11,7 @@ from typing import Any, Final, Self
 
 from pyjoystick.fmu.description import Variable
 from pyjoystick.fmu.errors import FmuRunError, StepperEndedError, UnsupportedFmuError
-from pyjoystick.fmu.inputs import checked_constants
+from pyjoystick.fmu.inputs import EQUAL_STEPS, ONE_STEP_LENGTH, checked_constants
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.live import LiveInstance
 from pyjoystick.fmu.own_process.live import RemoteLiveInstance
@@ -94,6 +94,7 @@ class Stepper:
             recorded, self.left_out = default_outputs(description, texts=True)
         else:
             recorded = checked_outputs(description, outputs, texts=True)
+        self._length: float | None = None  # of the first step
         self._names = tuple(one.name for one in recorded)
         self.units = {one.name: one.unit for one in recorded}
         values = checked_parameters(description, parameters)
@@ -252,7 +253,15 @@ class Stepper:
         if end > latest:
             hint = f"the simulation was started with stop_time = {self._last:g} s"
             raise ParameterError("length", length, f"at most {self._last - begin:.9g} s here", hint)
+        if not self.description.variable_steps:
+            self._require_equal(end - begin)
         return end
+
+    def _require_equal(self, length: float) -> None:
+        first = self._length = self._length or length
+        if abs(length - first) > EQUAL_STEPS * first:
+            hint = ONE_STEP_LENGTH.format(self.description.path.name)
+            raise ParameterError("length", f"{length:.9g}", f"{first:.9g} s, as the first", hint)
 
     def _checked(
         self, changes: Mapping[str, Value] | None, more: Mapping[str, Value]

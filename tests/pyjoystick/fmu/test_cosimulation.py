@@ -167,7 +167,7 @@ def test_two_fmus_at_once_do_not_meddle(joystick_path: Path, mixed: Fmu) -> None
 
 
 @pytest.mark.parametrize(("variable_steps", "steps"), [(True, 4), (False, 2)])
-def test_an_fmu_with_fixed_steps_gets_the_output_instants_only(
+def test_an_fmu_with_fixed_steps_gets_equal_ones_at_the_output_instants_only(
     variable_steps: bool, steps: int, awkward_path: Path, tmp_path: Path
 ) -> None:
     attribute = "canHandleVariableCommunicationStepSize"
@@ -180,7 +180,22 @@ def test_an_fmu_with_fixed_steps_gets_the_output_instants_only(
     )
     with Fmu(path) as fmu:
         table = fmu.run([0.0, 0.25, 0.5], inputs=pd.DataFrame({"u": [0.0, 1.0]}, index=[0.123, 0.456]))
-    assert table["steps"].iloc[-1] == steps
+        assert table["steps"].iloc[-1] == steps
+        if variable_steps:
+            assert fmu.run([0.0, 0.2, 0.5])["steps"].iloc[-1] == 2
+            return
+        with pytest.raises(
+            ParameterError, match=r"steps of 0\.2 s to 0\.3 s: must be equally spaced \(fixed\.fmu"
+        ):
+            fmu.run([0.0, 0.2, 0.5])
+        with fmu.start() as stepper:
+            for length in (0.2, 0.2, 0.2):
+                stepper.step(length)
+            with pytest.raises(
+                ParameterError, match=r"length = 0\.3: must be 0\.2 s, as the first \(fixed\.fmu"
+            ):
+                stepper.step(0.3)
+            assert stepper.step(0.2)["steps"] == 4
 
 
 @pytest.mark.parametrize(
