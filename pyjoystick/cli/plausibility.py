@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Final
 
-from pyjoystick import model
+from pyjoystick import model, support
 from pyjoystick.cli.console import print_note
 from pyjoystick.cli.invocation import invocation
 
@@ -36,7 +36,7 @@ def require_length(option: str, length: float | None) -> None:
 def require_uncertainties(
     errors: Mapping[str, float], values: Mapping[str, float], *, option: str = "--uncertainty"
 ) -> None:
-    """Reject standard uncertainties above a third of the value.
+    """Reject negative standard uncertainties, and those above a third of the value.
 
     Args:
         errors: by name
@@ -44,8 +44,11 @@ def require_uncertainties(
         option: the option that gave them, for the message
 
     Raises:
+        ParameterError: one is negative, or no finite number
         ImplausibleError: one is larger, and --implausible was not given
     """
+    for name, error in errors.items():
+        support.not_negative(f"{option} {name}", error)
     for name, error in errors.items() if not invocation.implausible else ():
         most = abs(values.get(name, 0.0)) / 3.0
         if error > most > 0.0:

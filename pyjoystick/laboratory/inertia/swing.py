@@ -70,9 +70,8 @@ def period_of_readings(
     """Period of small swings from stopwatch readings.
 
     The scatter of the readings counts as type A, with Student's factor for their number. `reaction_time`
-    covers
-    errors that all readings share, which the scatter does not show. Damping is not corrected: a damping
-    ratio of 0.1 lengthens the period by 0.5 %.
+    covers errors that all readings share, which the scatter does not show. Damping is not corrected: a
+    damping ratio of 0.1 lengthens the period by 0.5 %.
 
     Args:
         readings: time of `swings` full swings each (s)
@@ -82,7 +81,8 @@ def period_of_readings(
         reaction_time: standard uncertainty that all readings share (s)
 
     Raises:
-        ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range
+        ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range, or one
+            that grows
     """
     whole_number("swings", swings, 1)
     if not readings:
@@ -91,6 +91,9 @@ def period_of_readings(
     last_amplitude = last_amplitude or first_amplitude
     for name, one in (("first_amplitude", first_amplitude), ("last_amplitude", last_amplitude)):
         not_negative(name, angle(name, one.value), "rad")
+    if last_amplitude.value > first_amplitude.value:
+        allowed = f"at most the first amplitude, {first_amplitude.value:g} rad"
+        raise ParameterError("last_amplitude", last_amplitude.value, allowed)
     scatter = float(np.std(times, ddof=1)) / math.sqrt(len(times)) if len(times) > 1 else 0.0
     quantities = {
         "mean of the readings": Measured(float(np.mean(times)), scatter, max(len(times) - 1.0, 1.0)),

@@ -104,3 +104,11 @@ def test_the_paper_s_joystick_can_be_halved_and_doubled(command: Command) -> Non
         for factor in (0.5, 1.0, 1.05, 2.0):
             outcome = command("parameters", "--set", f"{name}={factor * value!r}", "--damping", "power-law")
             assert "as a joystick's is" not in outcome.err
+
+
+@pytest.mark.parametrize("given", ["-1", "nan", "inf"])
+def test_an_uncertainty_is_no_less_than_zero(command: Command, tmp_path: Path, given: str) -> None:
+    outcome = command(*SWING, "--uncertainty", f"m={given}", "-p", str(tmp_path / "u.toml"))
+    assert outcome.code == 1
+    assert f"--uncertainty m = {float(given)}: must be a finite number, 0 or more" in outcome.err
+    assert not (tmp_path / "u.toml").exists()

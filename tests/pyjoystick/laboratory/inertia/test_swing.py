@@ -116,6 +116,11 @@ def test_readings_that_are_refused(
         period_of_readings(readings, swings, Measured(amplitude))
 
 
+def test_an_amplitude_that_grows_is_refused() -> None:
+    with pytest.raises(ParameterError, match=r"^last_amplitude = 0\.2: must be at most the first"):
+        period_of_readings([8.0], 10, Measured(0.1), Measured(0.2))
+
+
 def test_nothing_swings_without_weight() -> None:
     period = period_of_readings([8.0], 10, Measured(0.1)).period
     with pytest.raises(ParameterError, match=r"^h = "):
