@@ -55,15 +55,18 @@ class _Reader:
         given = StartValues(self.model)
         known = {slot for slot in sought if given.of(slot) != 0.0} | {slot for slot, _ in guesses}
         guesses += tuple(derived_guesses(blocks, known, n_states))
+        actions = self._actions()
+        discrete = self._discrete(n_states)
+        self.relations.freeze_inside_roots(self.unwatched)  # when all relations are there
         return Equations(
             n_states=n_states,
             n_y=len(self.model.y_names),
             derivatives=tuple(derivatives[i] for i in range(n_states)),
             algebraics=algebraics,
-            discrete=self._discrete(n_states),
+            discrete=(*discrete, *self._steps()),
             clocks=periodic_clocks(self.model),
             pre=self._pre(),
-            actions=self._actions(),
+            actions=actions,
             dependent_parameters=dependent,
             start_values=starts,
             guesses=guesses,
@@ -115,10 +118,12 @@ class _Reader:
                 kind = "condition"
             result.append(DiscreteRow(kind, slot, self._guarded_by_tick(rows[number], slot, ticks.get(slot))))
         self._reject_missing_rows({row.slot for row in result})
-        floors = (
-            DiscreteRow("assign", ("p", memory), value) for value, memory in self.relations.floors.items()
-        )
-        return (*result, *floors)
+        return tuple(result)
+
+    def _steps(self) -> Iterator[DiscreteRow]:
+        """Yield the updates of the memories of floor(), ceil() and trunc()."""
+        for value, memory in self.relations.floors.items():
+            yield DiscreteRow("assign", ("p", memory), value)
 
     def _reject_missing_rows(self, slots: set[Slot]) -> None:
         """Reject discrete arrays with equations outside when-clauses: rumoca drops these equations."""

@@ -1,7 +1,8 @@
-"""Comparisons of time within noEvent(), which trigger no event.
+"""Comparisons within noEvent(), which trigger no event.
 
-rumoca generates no zero crossing for comparisons of time and parameters: outside noEvent() they are time
-events, inside they are evaluated literally. Its Solve IR does not distinguish the two, but the DAE does.
+rumoca generates no zero crossing for comparisons of time and parameters, and for those within another
+comparison: outside noEvent() they are events, inside they are evaluated literally. Its Solve IR does not
+distinguish the two, but the DAE does.
 """
 
 from __future__ import annotations
@@ -27,6 +28,16 @@ def literal_comparisons(model: LoweredModel) -> frozenset[Expression]:
     roots = (number for number in range(len(operations)) if number not in used)
     watched = _comparisons(model, _reached(operations, roots, into_no_event=False))
     return _comparisons(model, _reached(operations, guarded, into_no_event=True)) - watched
+
+
+def inner_comparisons(model: LoweredModel) -> tuple[bool, bool]:
+    """Return whether comparisons that trigger events contain others that do, and others that do not."""
+    operations = [entry["operation"] for entry in model.dae["expressions"]]
+    outer = [number for number, operation in enumerate(operations) if operation.get("operator") in _ORDER]
+    inside = [one for number in outer for one in operands(operations[number])]
+    watched = _reached(operations, inside, into_no_event=False)
+    literal = _reached(operations, inside, into_no_event=True) - watched
+    return bool(watched.intersection(outer)), bool(literal.intersection(outer))
 
 
 def _is_no_event(operation: dict[str, Any]) -> bool:

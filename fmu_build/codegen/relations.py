@@ -4,20 +4,21 @@ Between events an equation reads the memory of a relation instead of the relatio
 is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A
 comparison left without one is matched to its zero crossing or recognized as a time event; it remains a
 comparison only inside noEvent() or if it is constant between events. floor(), ceil() and trunc() get a memory
-for their value, and two zero crossings at which the value changes.
+for their value, and two zero crossings at which the value changes. The same holds for what is inside of
+another comparison.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.differentiate import linear_root
 from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.no_event import literal_comparisons
+from fmu_build.codegen.no_event import inner_comparisons, literal_comparisons
 from fmu_build.codegen.programs import ProgramReader
 
 _STEPS = ("Floor", "Ceil", "Trunc")
@@ -48,6 +49,8 @@ class Relations:
     """Calls of floor(), ceil() and trunc() with a continuous argument, and the slot of their value."""
     literal: frozenset[Expression] = frozenset()
     """Comparisons of time that trigger no event."""
+    watches_inner: bool = False
+    """Comparisons inside of others trigger events too."""
 
     @property
     def indicators(self) -> dict[tuple[Expression, bool], int]:
@@ -96,8 +99,22 @@ class Relations:
                 self._add(self.crossings, root, holds_at_zero)
         return ex.p(self.floors[node])
 
-    def freeze(self, node: Expression, unwatched: frozenset[tuple[Expression, bool]]) -> Expression | None:
-        """Return the memory that replaces a comparison, adding it if needed; None if the comparison stays."""
+    def freeze_inside_roots(self, unwatched: frozenset[tuple[Expression, bool]]) -> None:
+        """Make relations read memories where they contain floor(), ceil(), trunc() or other comparisons.
+
+        Where these jump, the root jumps too, perhaps to the other side of zero and back soon after.
+        """
+        for position, relation in enumerate(self.crossings):  # which grows
+            memories = freeze_comparisons((relation.root,), self, unwatched, is_inside=True)
+            self.crossings[position] = replace(relation, root=ex.substitute(relation.root, memories))
+
+    def freeze(
+        self, node: Expression, unwatched: frozenset[tuple[Expression, bool]], *, is_inside: bool = False
+    ) -> Expression | None:
+        """Return the memory that replaces a comparison, adding it if needed; None if the comparison stays.
+
+        `is_inside`: the comparison is part of another one.
+        """
         root, holds_at_zero, negated = _as_root(node)
         for relation in (*self.crossings, *self.of_time):
             if relation.root == root and relation.holds_at_zero == holds_at_zero:
@@ -107,7 +124,8 @@ class Relations:
             if when not in self.event_times:
                 self.event_times.append(when)
             return _memory(self._add(self.of_time, root, holds_at_zero), negated)
-        if (root, holds_at_zero) in unwatched:
+        is_watched = is_inside and self.watches_inner and ex.varies(root)
+        if is_watched or (root, holds_at_zero) in unwatched:
             return _memory(self._add(self.crossings, root, holds_at_zero), negated)
         return None
 
@@ -165,7 +183,13 @@ def read_relations(
     """Return the relations with a memory from rumoca, and the zero crossings that it monitors without one."""
     events = model.solve["events"]
     rows = reader.read_rows(events["root_conditions"])
-    relations = Relations(n_p, literal=literal_comparisons(model))
+    watched, literal = inner_comparisons(model)
+    if watched and literal:
+        raise model.unsupported(
+            "relations inside of other relations are supported with noEvent() or without it, not both in one "
+            "model; introduce a variable for each inner value"
+        )
+    relations = Relations(n_p, literal=literal_comparisons(model), watches_inner=watched)
     unwatched: set[tuple[Expression, bool]] = set()
     for number, target in enumerate(events["root_relation_memory_targets"]):
         if _is_step_crossing(rows[number]):
@@ -221,15 +245,22 @@ def _with_steps_frozen(root: Expression) -> Expression:
 
 
 def freeze_comparisons(
-    roots: Iterable[Expression], relations: Relations, unwatched: frozenset[tuple[Expression, bool]]
+    roots: Iterable[Expression],
+    relations: Relations,
+    unwatched: frozenset[tuple[Expression, bool]],
+    *,
+    is_inside: bool = False,
 ) -> dict[Expression, Expression]:
-    """Return the substitutions that make expressions read memories instead of comparing directly."""
+    """Return the substitutions that make expressions read memories instead of comparing directly.
+
+    `is_inside`: the expressions are parts of comparisons.
+    """
     replacements: dict[Expression, Expression] = {}
     for node in ex.walk(*roots):
         if node.operator in _STEPS and ex.varies(node):
             replacements[node] = relations.freeze_step(node)
         if node.operator in ("Lt", "Le", "Gt", "Ge"):
-            memory = relations.freeze(node, unwatched)
+            memory = relations.freeze(node, unwatched, is_inside=is_inside)
             if memory is not None:
                 replacements[node] = memory
     return replacements

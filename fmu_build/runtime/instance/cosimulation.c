@@ -179,14 +179,23 @@ static Status check_asserts(Instance *instance)
     return check_asserts_here(instance);
 }
 
+/* Ends the last integrator step at a crossing. */
+static void end_at(Instance *instance, Crossing crossing)
+{
+    Progress *progress = &instance->progress;
+    integrator_truncate(&instance->integrator, crossing.time);
+    progress->relation = crossing.relation;
+    progress->event_pending = true;
+}
+
 /* Takes one integrator step, truncated at the first event in it. */
 static Status take_step(Instance *instance, double limit)
 {
     Progress *progress = &instance->progress;
-    Integrator *integrator = &instance->integrator;
+    const Integrator *integrator = &instance->integrator;
     const double from = integrator->record.time, next = progress->next_time_event;
     const bool event_due = next <= DBL_MAX && next <= limit + instant_at(limit);
-    switch (integrator_step(integrator, event_due ? next : limit)) {
+    switch (integrator_step(&instance->integrator, event_due ? next : limit)) {
     case STEP_DONE:
         break;
     case STEP_TOO_SMALL:
@@ -199,9 +208,7 @@ static Status take_step(Instance *instance, double limit)
     case ROOTS_NOT_COMPUTABLE:
         return fail_to_compute(instance, from);
     case ROOTS_CROSSED:
-        integrator_truncate(integrator, crossing.time);
-        progress->relation = crossing.relation;
-        progress->event_pending = true;
+        end_at(instance, crossing);
         break;
     case ROOTS_NOT_CROSSED:
         progress->relation = model.n_relations;
@@ -306,13 +313,59 @@ static Status keep_pace(Instance *instance, Pace *pace, double wanted)
     return fail(instance, now, why);
 }
 
+/* Goes to a communication point. Where it lies within the last integrator step, relations and the rest of the model must
+ * agree: a change that the step has passed over since the communication point `since` becomes its end. */
+static Status arrive(Instance *instance, double since, double target)
+{
+    const StepRecord *record = &instance->integrator.record;
+    const Values *values = &instance->values;
+    if (values->time != target || record->time != target)
+        move_to(instance, target);
+    if (model.n_roots == 0 || target >= record->time)
+        return STATUS_OK;
+    RootFinder *finder = &instance->roots;
+    if (!evaluation_roots(instance, finder->sample))
+        return STATUS_ERROR;
+    if (roots_first_changed(finder->sample, values->p) == model.n_relations)
+        return STATUS_OK;
+    const Crossing crossing = roots_locate(finder, values->p, larger(since, record->base), target);
+    if (crossing.result == ROOTS_NOT_COMPUTABLE)
+        return fail_to_compute(instance, target);
+    end_at(instance, crossing);
+    return STATUS_OK;
+}
+
+/* Takes steps and events until the last step reaches the communication point. */
+static Status step_to(Instance *instance, double *target, double limit)
+{
+    Status status = STATUS_OK;
+    const bool attended = instance->attendance.step_finished != NULL;
+    const bool *ended = &instance->progress.ended_at_event;
+    const double since = instance->values.time;
+    const double wanted = smaller(*target - since, span(instance, *target) / PARTS);
+    Pace pace = {.since = since};
+    do {
+        while (status == STATUS_OK && !*ended && !reaches(instance, *target)) {
+            if (instance->progress.event_pending)
+                status = take_event(instance, *target);
+            else if ((status = check_asserts(instance)) == STATUS_OK &&
+                     (status = take_step(instance, limit)) == STATUS_OK &&
+                     (status = keep_pace(instance, &pace, wanted)) == STATUS_OK && attended)
+                status = show_step(instance, target);
+        }
+        if (status == STATUS_OK && !*ended)
+            /* an event at practically the same time may have led slightly beyond the target */
+            status = arrive(instance, since, larger(*target, instance->values.time));
+    } while (status == STATUS_OK && !*ended && !reaches(instance, *target));
+    return status;
+}
+
 Status cosimulation_advance(Instance *instance, double target)
 {
     Status status = STATUS_OK;
-    bool *ended = &instance->progress.ended_at_event;
     double limit = smaller(larger(target, instance->experiment.stop_time), DBL_MAX);
     target = larger(target, instance->values.time);
-    *ended = false;
+    instance->progress.ended_at_event = false;
     inputs_begin(&instance->inputs, instance->values.time, instance->values.p);
     instance->changed.any = instance->changed.any || instance->inputs.active;
     if (instance->changed.any) {
@@ -320,25 +373,13 @@ Status cosimulation_advance(Instance *instance, double target)
         limit = target;
         status = absorb_changes(instance);
     }
-    const bool attended = instance->attendance.step_finished != NULL;
     limit = limit_steps(instance, target, limit);
-    const double wanted = smaller(target - instance->values.time, span(instance, target) / PARTS);
-    Pace pace = {.since = instance->values.time};
-    if (attended)
+    if (instance->attendance.step_finished != NULL)
         limit = target; /* the importer gets and sets values within this communication step only */
-    while (status == STATUS_OK && !*ended && !reaches(instance, target)) {
-        if (instance->progress.event_pending)
-            status = take_event(instance, target);
-        else if ((status = check_asserts(instance)) == STATUS_OK &&
-                 (status = take_step(instance, limit)) == STATUS_OK &&
-                 (status = keep_pace(instance, &pace, wanted)) == STATUS_OK && attended)
-            status = show_step(instance, &target);
-    }
+    if (status == STATUS_OK)
+        status = step_to(instance, &target, limit);
     if (status != STATUS_OK)
         return status;
-    target = *ended ? instance->values.time : larger(target, instance->values.time);
-    if (instance->values.time != target || instance->integrator.record.time != target)
-        move_to(instance, target);
     instance->changed.any = instance->inputs.active;
     inputs_end(&instance->inputs);
     return STATUS_OK;

@@ -279,3 +279,16 @@ Crossing roots_search(RootFinder *finder, const double *p, double from, double t
     memcpy(finder->start, end.root, model.n_roots * sizeof(double));
     return none;
 }
+
+Crossing roots_locate(RootFinder *finder, const double *p, double from, double to)
+{
+    Sample before = {0.0, finder->work[0]}, middle = {0.0, finder->work[1]};
+    const Sample after = {to, finder->sample}, spare = {0.0, finder->work[2]};
+    if (!sample(finder, &before, from) || !sample(finder, &middle, from + 0.5 * (to - from)))
+        return (Crossing){.result = ROOTS_NOT_COMPUTABLE};
+    const size_t at_start = roots_first_changed(before.root, p);
+    if (at_start < model.n_relations)
+        return (Crossing){.result = ROOTS_CROSSED, .time = from, .relation = at_start};
+    return roots_first_changed(middle.root, p) < model.n_relations ? narrow(finder, p, before, middle, after, spare)
+                                                                   : narrow(finder, p, middle, after, before, spare);
+}

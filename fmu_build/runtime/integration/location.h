@@ -35,4 +35,8 @@ size_t roots_first_changed(const double *root, const double *p);
  * crossing, `end` becomes the next step's `start`. */
 Crossing roots_search(RootFinder *finder, const double *p, double from, double to);
 
+/* Returns the crossing between two points within a step that roots_search has passed: `sample` has the roots at `to`,
+ * where a relation differs from its memory in p. It may change and change back in a step that is long for the roots. */
+Crossing roots_locate(RootFinder *finder, const double *p, double from, double to);
+
 #endif

@@ -327,6 +327,38 @@ package StateEvents "Models whose events are found by zero crossings of continuo
     end when;
   end StepsInRelations;
 
+  model RelationsInRelations "Relations that hold for a short time after a jump inside of them"
+    Real x(start=0.1, fixed=true);
+    Real y(start=0, fixed=true);
+    Integer n(start=0, fixed=true), k(start=0, fixed=true), m(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    der(y) = if x - 0.4*floor(x/0.4) < 0.001 then 1 else 0;
+    when mod(x, 0.4) < 0.001 then
+      n = pre(n) + 1;
+    end when;
+    when (if x > 1 then x - 1 else 5) < 0.001 then
+      k = pre(k) + 1;
+    elsewhen max(if time > 1.2 and x < 1.301 then 1 else 0, 0) > 0.5 then
+      k = pre(k) + 10;
+    end when;
+    when (if noEvent(x) > 0.5 then x else 0) > 0.6 then
+      m = pre(m) + 1;
+    end when;
+  end RelationsInRelations;
+
+  model FasterThanSteps "A Schmitt trigger whose states let the steps grow beyond its period"
+    Real x(start=0, fixed=true);
+    Real s;
+    Boolean h(start=false, fixed=true);
+    Real y(start=0, fixed=true);
+  equation
+    der(x) = 1;
+    s = sin(60*x);
+    h = s > 0.9 or pre(h) and s > -0.9;
+    der(y) = if h then 1 else 0;
+  end FasterThanSteps;
+
   model SharedZero "The same zero as that of two opposite relations, by way of a parameter"
     parameter Real k = 0;
     Real s;

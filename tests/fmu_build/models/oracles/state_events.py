@@ -259,6 +259,24 @@ def steps_in_relations(t: Array) -> Values:
     }
 
 
+_PULSES = (0.3, 0.7, 1.1, 1.5)
+
+
+def relations_in_relations(t: Array) -> Values:
+    after = t[:, np.newaxis] - np.array(_PULSES)
+    return {
+        "y": np.clip(after, 0, 0.001).sum(axis=1),
+        "n": (after > 0).sum(axis=1).astype(float),
+        "k": (t > 0.9) + 10.0 * (t > 1.2),
+        "m": (t > 0.5).astype(float),
+    }
+
+
+def relations_in_relations_times(stop: float) -> Array:
+    times = [*_PULSES, *(time + 0.001 for time in _PULSES), 0.4, 0.5, 0.9, 0.901, 1.2, 1.201]
+    return at(*times)(stop)
+
+
 def shared_zero(t: Array) -> Values:
     late = (t > 0.5).astype(float)
     return {"first": 2 + late, "second": 3 * late}
@@ -319,6 +337,9 @@ CASES = (
     Case("StateEvents.ReinitChain", 1.0, reinit_chain, events=at(0.5)),
     Case("StateEvents.ExactSteps", 6.0, exact_steps, events=at(0.0, 1.0, 2.0, 4.0, 5.0, 6.0)),
     Case("StateEvents.StepsInRelations", 1.0, steps_in_relations, events=at(0.25, 0.5, 2 / 3, 0.75, 1.0)),
+    Case(
+        "StateEvents.RelationsInRelations", 1.7, relations_in_relations, events=relations_in_relations_times
+    ),
     Case("StateEvents.SharedZero", 1.0, shared_zero, events=at(0.5)),
     Case("StateEvents.PassingCondition", 1.0, passing_condition, events=at(0.5)),
     Case("StateEvents.StaysAtZero", 1.0, stays_at_zero, events=at(np.pi / 18, 5 * np.pi / 18)),
