@@ -81,6 +81,7 @@ def read_motion(
     alpha = found.get("alpha")
     if record.omega is not None and alpha is not None:
         _require_no_gap(record)
+        record.require_rate("alpha", alpha)
         return MeasuredMotion(
             Samples.trapezoidal(record.time, record.theta, record.omega, alpha), False, record.notes
         )

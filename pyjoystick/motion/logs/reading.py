@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import TIME, Column, Match
-from pyjoystick.motion.logs.headings import last_part, meaning
+from pyjoystick.motion.logs.headings import candidates, last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
@@ -119,6 +119,7 @@ def read_log(
         left_out=table.file.rows[~known],
         notes=(
             *_notes(table, found, table.file.rows[~known]),
+            *_replaced_times(table, rate),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
         ),
     )
@@ -145,6 +146,12 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
             yield f"{heading.text!r} is left alone: --column and --unit say what it is"
     if left_out.size:
         yield f"{len(left_out)} rows without a number are left out: {rows_in_words(left_out)}"
+
+
+def _replaced_times(table: LogTable, rate: float | None) -> Iterator[str]:
+    """Note that a column of times is not used."""
+    for heading in candidates(TIME, table.file.head.headings) if rate is not None else ():
+        yield f"{heading.text!r} is left alone: the samples are {rate:g} per second, as given"
 
 
 def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:

@@ -208,25 +208,15 @@ def _unevenness(record: Record) -> Iterator[str]:
 
 
 def _velocity(record: Record) -> Iterator[str]:
-    """Note on a measured velocity that is off; one that does not match the angle at all is an error."""
+    """Note on a measured velocity that is off; `Record` rejects one that does not match the angle at all."""
     if record.omega is None:
         return
     # Trapezoidal rule: change of the angle over a step compared with the mean velocity.
     turned = np.diff(record.theta)
     mean = 0.5 * (record.omega[1:] + record.omega[:-1]) * np.diff(record.time)
-    square = float(np.sum(mean * mean))
-    ratio = float(np.sum(turned * mean)) / square if square > 0.0 else math.inf
-    if 0.5 < ratio < 2.0:
-        if abs(ratio - 1.0) > 0.1:
-            yield f"the angle changes {ratio:.3f} times as fast as the measured velocity"
-        return
-    advice = {
-        ratio < 0.0: "turn the sign of one of the two",
-        abs(ratio * math.degrees(1.0) - 1.0) < 0.5: "name the column omega (deg/s)",
-        abs(ratio / math.degrees(1.0) - 1.0) < 0.5: "name the column omega (rad/s)",
-    }.get(True, "leave the column out")
-    reason = f"this is not the velocity of the angle, which changes {ratio:.3g} times as fast"
-    raise RecordError(record.source, reason, advice, column="omega", rows=record.rows[[0, -1]])
+    ratio = float(np.sum(turned * mean) / np.sum(mean * mean))
+    if abs(ratio - 1.0) > 0.1:
+        yield f"the angle changes {ratio:.3f} times as fast as the measured velocity"
 
 
 def _peak_count(record: Record, swings: Sequence[Swing]) -> Iterator[str]:

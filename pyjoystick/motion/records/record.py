@@ -11,6 +11,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pyjoystick.motion.records.derivatives import require_derivative
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import FloatArray
 
@@ -20,6 +21,8 @@ FEWEST_SAMPLES = 3
 _INTERVALS: Final = (1e-7, 1.0)
 #: A step longer than this many usual ones is a gap.
 GAP: Final = 1.5
+#: Largest rms difference of theta (rad) or omega (rad/s) from the integral of its rate that is only noise.
+_SMALLEST: Final = {"theta": 0.01, "omega": 0.2}
 #: A gap shorter than this part of an adjacent swing cannot hide a swing, even a slightly shorter one.
 HIDING: Final = 0.75
 #: Samples closer than this (s) have the same time.
@@ -69,7 +72,8 @@ class Record:
     Raises:
         RecordError: an array is not one-dimensional, not of the length of `time`, too short, or contains NaN
             or infinity; the time does not increase; an angle is pi/2 or more (degrees taken for radians?); no
-            angle is large enough for an instrument to resolve, unless all are zero
+            angle is large enough for an instrument to resolve, unless all are zero; omega is not the
+            derivative of theta
     """
 
     name: str
@@ -96,6 +100,8 @@ class Record:
         self._require_increasing_time()
         require_sampling(self.source, self.time, self.rows)
         self._require_angles()
+        if self.omega is not None:
+            self.require_rate("omega", self.omega)
 
     def __len__(self) -> int:
         return len(self.time)
@@ -104,6 +110,24 @@ class Record:
     def interval(self) -> float:
         """Sampling interval (s): the median, which ignores gaps."""
         return float(np.median(np.diff(self.time)))
+
+    def require_rate(self, name: str, series: FloatArray) -> None:
+        """Raise RecordError if omega is not the derivative of theta, or alpha not that of omega.
+
+        Args:
+            name: ``omega`` or ``alpha``
+            series: the rate, shape (n,) (rad/s or rad/s2)
+        """
+        of = "theta" if name == "omega" else "omega"
+        require_derivative(
+            self.source,
+            self.time,
+            (of, getattr(self, of)),
+            (name, series),
+            smallest=_SMALLEST[of],
+            longest_step=GAP * self.interval,
+            rows=self.rows,
+        )
 
     def with_notes(self, *notes: str) -> Record:
         """Return the record with additional notes."""

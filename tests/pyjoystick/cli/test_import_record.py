@@ -55,6 +55,14 @@ def test_the_rate_is_that_of_rounded_times_and_not_of_gaps(tmp_path: Path, comma
     assert json.loads(result.out)["rate"] == pytest.approx(240.0, rel=0.005)
 
 
+def test_a_given_rate_in_place_of_times_is_noted(tmp_path: Path, command: Command) -> None:
+    log = written(tmp_path / "log.csv", GERMAN)
+    result = command("import", "record", str(log), "-o", "r.csv", "--samples-per-second", "500")
+    assert result.code == 0
+    assert "'Zeit [ms]' is left alone: the samples are 500 per second, as given" in result.err
+    assert "left alone" not in command("import", "record", str(log), "-o", "r2.csv").err
+
+
 def test_a_preview_comes_before_anything_is_written(tmp_path: Path, command: Command) -> None:
     log, figure = written(tmp_path / "log.csv", GERMAN), tmp_path / "log.svg"
     assert command("import", "record", str(log), "--preview", str(figure)).code == 0

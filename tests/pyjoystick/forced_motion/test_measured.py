@@ -96,3 +96,12 @@ def test_bad_files(tmp_path: Path) -> None:
     short = _csv(tmp_path / "short.csv", "time (s),theta (rad)", (FRAMES[:3], at.theta[:3]))
     with pytest.raises(SeriesError, match="at least 4 are needed"):
         read_motion(short)
+
+
+@pytest.mark.parametrize("factor", [-1.0, 10.0, 0.0])
+def test_an_acceleration_that_is_not_that_of_the_velocity_is_refused(factor: float, tmp_path: Path) -> None:
+    at = MOTION.at(FRAMES)
+    columns = (FRAMES, at.theta, at.omega, factor * at.alpha)
+    path = _csv(tmp_path / "m.csv", "time (s),theta (rad),omega (rad/s),alpha (rad/s2)", columns)
+    with pytest.raises(RecordError, match=r"column 'alpha', rows 2, 80: is not the rate of omega"):
+        read_motion(path)

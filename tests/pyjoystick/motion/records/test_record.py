@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from pyjoystick.motion import Record, RecordError, rows_in_words
+from pyjoystick.support import FloatArray
 
 TIME = np.array([0.0, 0.1, 0.2, 0.3, 0.7])
 THETA = np.array([0.1, 0.0, -0.1, 0.0, 0.1])
@@ -83,3 +84,38 @@ def test_times_that_differ_by_less_than_any_clock_are_repeated() -> None:
         with pytest.raises(RecordError, match="times are repeated") as caught:
             Record("one", [0.0, step, 0.2, 0.3, 0.7], THETA)
         assert caught.value.rows == (1,)
+
+
+_MOTION = np.linspace(0.0, 1.0, 101)
+_ANGLE = 0.2 * np.sin(9.0 * _MOTION)
+_RATE = 1.8 * np.cos(9.0 * _MOTION)
+
+
+@pytest.mark.parametrize(
+    ("omega", "ratio", "advice"),
+    [
+        (np.degrees(_RATE), "0.0175", r"name the column omega \(deg/s\)"),
+        (-_RATE, "-1", "turn the sign"),
+        (0.0 * _RATE, "inf", "leave the column out"),
+        (2.0 * _RATE, "0.5", "leave the column out"),
+    ],
+    ids=["in degrees", "of the other sign", "missing", "twice"],
+)
+def test_a_velocity_that_is_not_that_of_the_angle_is_refused(
+    omega: FloatArray, ratio: str, advice: str
+) -> None:
+    message = rf"is not the rate of theta, which changes {ratio}\d* times as fast; {advice}"
+    with pytest.raises(RecordError, match=message):
+        Record("one", _MOTION, _ANGLE, omega=omega)
+
+
+def test_a_velocity_with_noise_offset_and_gaps_is_taken() -> None:
+    noise = np.random.default_rng(5).normal(0.0, 0.3, len(_MOTION))
+    Record("one", _MOTION, _ANGLE, omega=_RATE + noise + 0.4)
+    kept = np.abs(_MOTION - 0.4) > 0.1
+    Record("one", _MOTION[kept], _ANGLE[kept], omega=_RATE[kept])
+
+
+def test_at_rest_noise_is_no_contradiction() -> None:
+    noise = np.random.default_rng(6).normal(0.0, 1.0, (2, len(_MOTION)))
+    Record("one", _MOTION, 0.001 * noise[0], omega=0.05 * noise[1])

@@ -1,0 +1,82 @@
+"""Whether a measured rate is the derivative of what was measured beside it."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.support import FloatArray
+
+#: Largest difference between a quantity and the integral of its rate, relative to the larger of the two.
+#: Noise and filters stay below a tenth; a wrong sign gives 2, a factor of 2 gives 0.5.
+_TOLERATED: Final = 0.4
+#: Largest relative difference from the ratio of degrees and radians that is taken for it.
+_NEAR: Final = 0.5
+#: Fewest samples that show a motion.
+_FEWEST: Final = 8
+
+
+def require_derivative(
+    source: str,
+    time: FloatArray,
+    quantity: tuple[str, FloatArray],
+    rate: tuple[str, FloatArray],
+    *,
+    smallest: float,
+    longest_step: float,
+    rows: NDArray[np.int64],
+) -> None:
+    """Raise RecordError if the rate is not the derivative of the quantity.
+
+    Both are compared up to a straight line, as a rate may have an offset.
+
+    Args:
+        source: the file, for the message
+        time: shape (n,), increasing (s)
+        quantity: its name and values, shape (n,)
+        rate: its name and values in the unit of the quantity per second, shape (n,)
+        smallest: largest difference (rms, in the unit of the quantity) that noise can cause
+        longest_step: longer ones are gaps, over which nothing can be integrated (s)
+        rows: line numbers of the samples, shape (n,)
+    """
+    steps = np.diff(time)
+    if len(time) < _FEWEST:
+        return
+    inside = steps <= longest_step
+    (name, values), (name_of_rate, rates) = quantity, rate
+    changes = np.where(inside, np.diff(values), 0.0)
+    integrals = np.where(inside, 0.5 * (rates[1:] + rates[:-1]) * steps, 0.0)
+    moved, integrated = (_beside_a_line(np.cumsum(one)) for one in (changes, integrals))
+    difference = _rms(moved - integrated)
+    if difference <= max(smallest, _TOLERATED * max(_rms(moved), _rms(integrated))):
+        return
+    ratio = float(moved @ integrated / (integrated @ integrated)) if integrated.any() else math.inf
+    reason = f"is not the rate of {name}, which changes {ratio:.3g} times as fast"
+    raise RecordError(source, reason, _advice(name_of_rate, ratio), column=name_of_rate, rows=rows[[0, -1]])
+
+
+def _advice(name: str, ratio: float) -> str:
+    power = {"omega": "", "alpha": "2"}[name]
+    if ratio < 0.0:
+        return "turn the sign of one of the two"
+    if abs(ratio * math.degrees(1.0) - 1.0) < _NEAR:
+        return f"name the column {name} (deg/s{power})"
+    if abs(ratio / math.degrees(1.0) - 1.0) < _NEAR:
+        return f"name the column {name} (rad/s{power})"
+    return "leave the column out"
+
+
+def _beside_a_line(series: FloatArray) -> FloatArray:
+    """The series without the straight line that fits it best."""
+    positions = np.linspace(-1.0, 1.0, len(series))
+    slope = (positions @ series) / (positions @ positions)
+    without: FloatArray = series - series.mean() - slope * positions
+    return without
+
+
+def _rms(series: FloatArray) -> float:
+    return float(np.sqrt(np.mean(series**2)))
