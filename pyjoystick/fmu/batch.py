@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuEndedError, FmuFileError
 from pyjoystick.fmu.own_process.runner import RemoteRunner
+from pyjoystick.fmu.reductions import Reduction, not_finite
 from pyjoystick.fmu.runner import Job, Runner, Samples
 from pyjoystick.fmu.sandbox.runner import SandboxRunner
 from pyjoystick.fmu.stepping.program import OK, STOPPED
@@ -47,7 +48,8 @@ class BatchResult(Shown):
         reduced: results of the reductions, one column each, indexed as `parameters`, NaN as in `values`; its
             ``attrs["units"]`` has the unit of each column. None if there are no reductions.
         messages: empty for a successful run, else when and why it failed, with the FMU's messages
-        failed: shape (runs,), True for runs that started and did not reach their end
+        failed: shape (runs,), True for runs that started and did not reach their end, or have results that
+            are not finite
         done: shape (runs,), True for finished runs, including failed ones
         interrupted: the batch was stopped by Ctrl-C or `Plan.stop`; runs may be missing
     """
@@ -133,6 +135,14 @@ class Batch:
         if self._refusal and not is_stopped:
             self._fail_what_is_left()
         return is_stopped
+
+    def fail_not_finite(self, reductions: Sequence[Reduction]) -> None:
+        """Fail the finished runs with results that are not finite, because outputs of the FMU are not."""
+        cells = self._job.cells
+        for run, column in not_finite(reductions, cells).items():
+            if self.done[run] and not self.failed[run]:
+                self._mark_failed(run, f"{column} is not finite: an output of the FMU was not")
+                cells[run] = np.nan
 
     def _start(self, runner: AnyRunner) -> None:
         # Daemon threads: a step that never ends must not keep the process alive.

@@ -203,6 +203,7 @@ class Plan:
         if kept is not None:
             import pandas as pd  # see `tables.make_table`
 
+            batch.fail_not_finite(kept)
             reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
             reduced.attrs["units"] = units_of(kept, self.units)
         return BatchResult(

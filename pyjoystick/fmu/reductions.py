@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from pyjoystick.fmu.stepping.reducing import EXTREMES, FINAL, LOSS, PEAKS, Operation
-from pyjoystick.support import ParameterError, UnknownVariableError, not_negative, whole_number
+from pyjoystick.support import FloatArray, ParameterError, UnknownVariableError, not_negative, whole_number
 
 #: A larger number of peaks is taken for a mistake.
 _MOST_PEAKS = 10_000
@@ -130,6 +132,22 @@ def operations_of(reductions: Sequence[Reduction], outputs: Sequence[str]) -> li
             operations.append(Operation(_KINDS[type(one)], column, -1, cell, 0, 0.0, 0.0))
         cell += len(one.columns)
     return operations
+
+
+def not_finite(reductions: Sequence[Reduction], cells: FloatArray) -> dict[int, str]:
+    """Return the runs with results that are NaN or infinite, and the first such result of each.
+
+    Peaks do not count: they may be fewer than wanted.
+
+    Args:
+        reductions: what was kept
+        cells: the results, shape (runs, columns)
+    """
+    columns = [column for one in reductions for column in one.columns]
+    always = [column for one in reductions if not isinstance(one, Peaks) for column in one.columns]
+    places = [columns.index(column) for column in always]
+    missing = ~np.isfinite(cells[:, places])
+    return {int(run): always[int(np.argmax(missing[run]))] for run in np.flatnonzero(missing.any(axis=1))}
 
 
 def units_of(reductions: Sequence[Reduction], units: Mapping[str, str]) -> dict[str, str]:

@@ -81,3 +81,13 @@ def test_units(joystick: Fmu) -> None:
 def test_peaks_that_are_refused(settings: dict[str, Any], message: str) -> None:
     with pytest.raises(ParameterError, match=message):
         Peaks("theta", **settings)
+
+
+@pytest.mark.parametrize("reduction", [Final("y"), Extremes("y"), Loss("y")])
+def test_results_that_are_not_finite_are_failures(awkward_fmu: Fmu, reduction: Reduction, loop: str) -> None:
+    plan = awkward_fmu.plan((0.0, 1.0, 2.0), varied="gain", inputs={"u": 1e308}, outputs="y")
+    batch = plan.run_batch([[0.5], [1e308], [0.25]], reductions=[reduction])
+    assert batch.reduced is not None
+    assert batch.failed.tolist() == [False, True, False]
+    assert batch.messages[1] == f"{reduction.columns[0]} is not finite: an output of the FMU was not"
+    assert batch.reduced.isna().all(axis=1).tolist() == [False, True, False]
