@@ -11,6 +11,7 @@ from __future__ import annotations
 import errno
 from collections.abc import Mapping, Sequence
 from importlib import import_module
+from pathlib import Path
 from typing import Annotated, Any, Final
 
 import typer
@@ -141,6 +142,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: without the program name; by default those of this process
     """
     invocation.begin()
+    try:
+        Path.cwd()
+    except OSError as error:
+        return _failed(f"the current folder cannot be used: {error.strerror}")
     try:
         app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
     except SystemExit as stop:

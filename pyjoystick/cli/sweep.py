@@ -108,7 +108,7 @@ def run(
             "use --threads or --scheduler, not both: the workers choose their own threads"
         )
     figures = plots or [], scatters or []
-    target = target or settings.with_suffix(".csv")
+    target = target or settings.parent / f"{settings.stem}.csv"
     check_outputs(target, *figures[0], *figures[1], indices)
     sweep = runs.Sweep(runs.read_settings(settings, found_or_built))
     names = tuple(results or ())

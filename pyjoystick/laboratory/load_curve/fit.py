@@ -170,11 +170,13 @@ def fit_load_curve(
     solution = least_squares(model.residuals, model.start(), method="trf", x_scale="jac", max_nfev=300)
     if not solution.success:
         raise RecordError(curve.source, f"{segments} segments do not fit", "try another number of segments")
-    natural = model.natural(solution.x)
-    distances = model.distances(natural)
-    freedom = len(distances) - len(natural) + (curve.unloading is None)
-    misfit = float(np.sqrt(np.sum(distances**2) / freedom))
-    covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
+    # Segments without stiffness, or beyond the record, have no covariance, which is checked next.
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        natural = model.natural(solution.x)
+        distances = model.distances(natural)
+        freedom = len(distances) - len(natural) + (curve.unloading is None)
+        misfit = float(np.sqrt(np.sum(distances**2) / freedom))
+        covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
     if not (np.diag(covariance) >= 0.0).all():
         reason = f"does not determine {segments} segments"
         advice = "try fewer, such as --segments 2 where the record ends before the second spring"
@@ -247,7 +249,7 @@ class _Model:
 
     def residuals(self, q: FloatArray) -> FloatArray:
         # A step of the search may overflow; results that are not finite make it take a shorter one.
-        with np.errstate(over="ignore", invalid="ignore"):
+        with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             return self.distances(self.natural(q))
 
     def distances(self, natural: FloatArray) -> FloatArray:

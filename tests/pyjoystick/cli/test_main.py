@@ -113,3 +113,15 @@ def test_the_exit_code_reaches_the_shell(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("error: there is no FMU ")
     assert done.stderr.count("\n") == 1
+
+
+def test_a_current_folder_that_has_gone_is_named(tmp_path: Path) -> None:
+    gone = (
+        "import os, sys; from pyjoystick.cli import main; os.rmdir(os.getcwd()); "
+        "sys.exit(main(['free-oscillation']))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", gone], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    assert done.stderr == "error: the current folder cannot be used: No such file or directory\n"

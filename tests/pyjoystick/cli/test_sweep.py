@@ -171,6 +171,13 @@ def test_a_mistake_in_the_settings_is_one_message(command: Command, settings: Pa
     assert outcome.message.startswith('two.toml: [vary."damping.c"]: there is no parameter')
 
 
+@pytest.mark.parametrize("folder", ["/", "", "."])
+def test_a_folder_is_no_settings_file(command: Command, folder: str) -> None:
+    outcome = command("sweep", folder)
+    assert outcome.code == 1
+    assert "cannot be read: Is a directory" in outcome.message
+
+
 def test_threads_and_a_scheduler_are_one_too_many(command: Command, settings: Path) -> None:
     outcome = command("sweep", "two.toml", "--threads", "2", "--scheduler", "tcp://127.0.0.1:9")
     assert outcome.code == 2

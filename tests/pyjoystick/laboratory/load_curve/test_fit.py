@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import re
 
@@ -47,6 +48,17 @@ def test_a_curve_without_noise_comes_back() -> None:
     fit = fit_load_curve(LoadCurve.from_cycle(travel, table_force(FORWARD_TABLE, travel)))
     assert fit.table.x == pytest.approx(FORWARD_TABLE.x, abs=1e-9)
     assert fit.table.k == pytest.approx(FORWARD_TABLE.k, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_forces_rounded_to_a_newton_end_without_a_warning(seed: int) -> None:
+    """The first segment may have no stiffness, or lie far away; here a warning of NumPy is an error."""
+    travel = np.concatenate((up := np.linspace(0.0, 4.5e-3, 1500), up[::-1]))
+    force = np.round(table_force(FORWARD_TABLE, travel) + 0.5 * np.sign(np.gradient(travel)))
+    noise = np.random.default_rng(seed).normal(0.0, 3e-6, travel.size)
+    with contextlib.suppress(RecordError):
+        fit = fit_load_curve(LoadCurve.from_cycle(travel + noise, force))
+        assert np.isfinite([*fit.x_errors, *fit.k_errors]).all()
 
 
 def test_other_numbers_of_segments() -> None:
