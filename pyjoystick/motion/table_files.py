@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import logging
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -195,15 +196,16 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     example = "begin with a line such as: time (s),theta (deg)"
     number, line = next(filled, (0, ""))
     if not line:
-        raise RecordError(str(path), "has no headings", example)
+        advice = "begin with a line of them, each with its unit, such as time (s)"
+        raise RecordError(str(path), "has no headings", advice)
     delimiter = max(DELIMITERS, key=line.count)
     headings = tuple(Heading.of(cell) for cell in cells_of_line(path, number, line, delimiter))
-    texts = [heading.text for heading in headings]
-    for text in texts:
+    counts = Counter(heading.text for heading in headings)
+    for text, count in counts.items():
         if _is_number(text):
             reason = "has a number where a heading is expected"
             raise RecordError(str(path), reason, example, rows=[number], value=repr(text))
-        if texts.count(text) > 1:
+        if count > 1:
             reason = "two columns have one heading"
             raise RecordError(str(path), reason, "rename one", column=text, rows=[number])
     return TableHead(path, headings, delimiter, number)

@@ -192,7 +192,7 @@ def read_toml(path: str | PathLike[str] | Table) -> Table:
         return path
     path = Path(path)
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")  # some editors begin with a byte order mark
     except OSError as error:
         raise InputFileError(path, f"cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:

@@ -179,10 +179,11 @@ def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
         for text, unit in zip(texts, units, strict=True)
     ]
     found = [understood(text, joined) for text in joined]
+    counts = Counter(joined)
     for i, heading in enumerate(found):
         if not heading.text:
             found[i] = Heading(f"#{i + 1}", f"#{i + 1}", heading.unit)
-        elif joined.count(heading.text) > 1:
+        elif counts[heading.text] > 1:
             found[i] = Heading(f"{heading.text} #{i + 1}", heading.name, heading.unit)
     return found
 

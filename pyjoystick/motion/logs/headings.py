@@ -121,7 +121,8 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
         short = short and meaning(name) != "time" and unit != "°"  # "angle min" is the least angle
         if not is_unit(unit) or short:
             name, unit = text, ""
-    if any(word in other.casefold() for other in others for word in _GERMAN):
+    is_grad = "grad" in unit.casefold()
+    if is_grad and any(word in other.casefold() for other in others for word in _GERMAN):
         unit = re.sub(r"\b[Gg]rad\b", "deg", unit)
     unit = unit.strip()
     return Heading(text, name.strip(), next(filter(None, (spelled(kind, unit) for kind in _KNOWN)), unit))

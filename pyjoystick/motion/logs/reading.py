@@ -18,7 +18,7 @@ from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.records.instrument import require_no_jump
-from pyjoystick.motion.records.record import GAP, Record
+from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -30,6 +30,8 @@ COLUMNS: Final = (
     Column("T", UNITS["torque"], required=False),
     Column("F", UNITS["force"], required=False),
 )
+#: Largest torque (N m) and force (N) at a joystick that is moved by hand or by a test bench.
+_LARGEST: Final = {"T": 200.0, "F": 2000.0}
 #: Minimum duration of a record (s); shorter ones contain no motion of a joystick.
 _SHORTEST: Final = 0.02
 
@@ -102,6 +104,7 @@ def read_log(
     for name, match in found.items():
         zero = scales[name].zero * scales[name].factor if scales and name in scales else 0.0
         series[name] = table.file.numbers(table.heading(match)) * match.factor - zero
+        _require_plausible(table, match, series[name])
     known = np.isfinite(np.stack(list(series.values()))).all(axis=0)
     if "time" not in (units or {}):
         _require_duration(table, found, series["time"][known])
@@ -129,11 +132,27 @@ def read_log(
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:
     """Reject a record (s) that is too short for a motion, such as seconds labelled as ms."""
-    if "time" in found and len(time) > 1 and 0.0 < np.ptp(time) < _SHORTEST:
+    enough = len(time) >= FEWEST_SAMPLES  # fewer are rejected for that
+    if "time" in found and enough and 0.0 < np.ptp(time) < _SHORTEST:
         match = found["time"]
-        reason = f"a record of {np.ptp(time):.3g} s: are these s or ms labeled as {match.unit}?"
-        advice = f"say what it is: --unit time=s or --unit time={match.unit}"
+        reason = f"a record of {np.ptp(time):.3g} s is too short for a motion"
+        advice = f"give --unit time={match.unit} if it is one"
+        if match.unit != "s":
+            reason += f": are these s labeled as {match.unit}?"
+            advice = f"give --unit time=s, or --unit time={match.unit} if that is right"
         raise RecordError(str(table.file.head.path), reason, advice, column=match.heading.text)
+
+
+def _require_plausible(table: LogTable, match: Match, series: FloatArray) -> None:
+    """Reject torques (N m) and forces (N) in the wrong unit, which shows in nothing else."""
+    name = match.column.name
+    finite = series[np.isfinite(series)]
+    if name not in _LARGEST or not finite.size or np.abs(finite).max() <= _LARGEST[name]:
+        return
+    unit = {"T": "N.m", "F": "N"}[name]
+    reason = f"reaches {np.abs(finite).max():.4g} {unit}; a joystick takes up to {_LARGEST[name]:g} {unit}"
+    advice = f"is this really in {match.unit}? Correct the unit in the heading"
+    raise RecordError(str(table.file.head.path), reason, advice, column=match.heading.text)
 
 
 def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int64]) -> Iterator[str]:

@@ -117,3 +117,9 @@ def test_the_largest_and_the_smallest_whole_number_are_read(tmp_path: Path) -> N
     path = tmp_path / "large.toml"
     path.write_text(f"a = [{2**64 - 1}, {-(2**63)}]")
     assert read_toml(path).entries("a") == [2**64 - 1, -(2**63)]
+
+
+def test_a_byte_order_mark_is_no_content(tmp_path: Path) -> None:
+    path = tmp_path / "marked.toml"
+    path.write_text("a = [1]", encoding="utf-8-sig")
+    assert read_toml(path).entries("a") == [1]

@@ -276,7 +276,7 @@ REFUSED: dict[str, tuple[str, str, dict[str, Any]]] = {
     ),
     "s labeled as ms": (
         text(("time (ms)", "angle (deg)"), TIME, ANGLE),
-        "a record of 0.000476 s: .*--unit time=s",
+        "a record of 0.000476 s is too short .*--unit time=s",
         {"units": {"time": "s"}},
     ),
     "an angle with and one without a unit": (
@@ -537,3 +537,15 @@ def test_a_labview_measurement(comment: str, delimiter: str, tmp_path: Path) -> 
     file = written(tmp_path / "two.lvm", LABVIEW.format(2 * table), "utf-8")
     with pytest.raises(RecordError, match=r"two.lvm, row 141: holds 2 measurements"):
         read_log(file, **names)
+
+
+@pytest.mark.parametrize(
+    ("heading", "factor", "words"), [("T (N.m)", 1e3, "200 N.m"), ("F (N)", 1e4, "2000 N")]
+)
+def test_torques_and_forces_that_no_joystick_takes_are_refused(
+    heading: str, factor: float, words: str, tmp_path: Path
+) -> None:
+    table = text(("time (s)", "angle (deg)", heading), TIME, ANGLE, factor * TORQUE)
+    path = written(tmp_path / "log.csv", table)
+    with pytest.raises(RecordError, match=f"a joystick takes up to {words}; is this really in"):
+        read_log(path)
