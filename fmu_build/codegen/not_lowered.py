@@ -214,6 +214,14 @@ def _derivatives_at_events(model: CompiledModel, _: re.Match[str]) -> Obstacles:
         return
 
 
+def _derivatives_at_end(model: CompiledModel, _: re.Match[str]) -> Obstacles:
+    """Find derivatives of an element whose subscript is not a number."""
+    for call in _calls(model.flat["equations"], "Der"):
+        if any(expressions(call["args"], "BuiltinCall")):
+            yield f"{model.text(call['span'])} is not supported; write the number of the element", call["span"]
+            return
+
+
 _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]], ...] = (
     ("", _strings),
     ("", _external_functions),
@@ -233,6 +241,7 @@ _FINDERS: tuple[tuple[str, Callable[[CompiledModel, re.Match[str]], Obstacles]],
     ("one subscript per array dimension", _nested_arrays),
     ("definition of `([^`]+)` reads `([^`]+)`, which is causally reachable", _loops_over_samples),
     ("derivative coordinate escaped", _derivatives_at_events),
+    ("subscript is not compile-time computable", _derivatives_at_end),
     ("zero or non-finite affine coefficient", _vanishing_derivatives),
     ("missing state mapping for event reinitialization", _reinitialized_dependents),
     (r"structurally singular system: (\d+) matched out of (\d+) equations", _dependent_equations),

@@ -199,6 +199,12 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:2:3: sign() has a Real value here, which an Integer does not take; write integer(sign(...))",
     ),
+    "the derivative of the last element": Case(
+        "Real T[3](each start = 1, each fixed = true);",
+        "der(T[1]) = 1; der(T[2]) = 2; der(T[end]) = 3;",
+        UnsupportedModelError,
+        "M.mo:4:33: der(T[end]) is not supported; write the number of the element",
+    ),
     "an Integer that equals sign()": Case(
         "Integer s;",
         "s = sign(time - 0.5);",
