@@ -218,7 +218,10 @@ def _derivatives_at_end(model: CompiledModel, _: re.Match[str]) -> Obstacles:
     """Find derivatives of an element whose subscript is not a number."""
     for call in _calls(model.flat["equations"], "Der"):
         if any(expressions(call["args"], "BuiltinCall")):
-            yield f"{model.text(call['span'])} is not supported; write the number of the element", call["span"]
+            yield (
+                f"{model.text(call['span'])} is not supported; write the number of the element",
+                call["span"],
+            )
             return
 
 

@@ -137,17 +137,16 @@ def operations_of(reductions: Sequence[Reduction], outputs: Sequence[str]) -> li
 def not_finite(reductions: Sequence[Reduction], cells: FloatArray) -> dict[int, str]:
     """Return the runs with results that are NaN or infinite, and the first such result of each.
 
-    Peaks do not count: they may be fewer than wanted.
+    NaN does not count for peaks: they may be fewer than wanted.
 
     Args:
         reductions: what was kept
         cells: the results, shape (runs, columns)
     """
     columns = [column for one in reductions for column in one.columns]
-    always = [column for one in reductions if not isinstance(one, Peaks) for column in one.columns]
-    places = [columns.index(column) for column in always]
-    missing = ~np.isfinite(cells[:, places])
-    return {int(run): always[int(np.argmax(missing[run]))] for run in np.flatnonzero(missing.any(axis=1))}
+    may_lack = np.array([isinstance(one, Peaks) for one in reductions for _ in one.columns])
+    wrong = np.isinf(cells) | (np.isnan(cells) & ~may_lack)
+    return {int(run): columns[int(np.argmax(wrong[run]))] for run in np.flatnonzero(wrong.any(axis=1))}
 
 
 def units_of(reductions: Sequence[Reduction], units: Mapping[str, str]) -> dict[str, str]:

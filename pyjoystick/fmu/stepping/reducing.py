@@ -73,6 +73,9 @@ def reduce_run(
 def _keep_peaks(operation: Operation, instants: FloatArray, samples: FloatArray, cells: FloatArray) -> None:
     # Contiguous copies, so that compiled and plain code operate on the same kind of array.
     series = samples[:, operation.column].copy()
+    if not np.isfinite(series).all():
+        cells[operation.cell] = np.inf  # which no peak is: NaN means that there are fewer than wanted
+        return
     if operation.derivative >= 0:
         extrema = extrema_of_derivative(instants, series, samples[:, operation.derivative].copy())
     else:
