@@ -23,6 +23,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_undetermined_parameters(model)
     _reject_repeated_assignments(model)
     _reject_overridden_branches(model)
+    _reject_unguarded_actions(model)
     _reject_repeated_samples(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
@@ -124,6 +125,40 @@ def _reject_overridden_branches(model: LoweredModel) -> None:
                     branch["span"],
                 )
             before |= {one["Assign"]["target"] for one in branch["equations"] if "Assign" in one}
+
+
+def _reject_unguarded_actions(model: LoweredModel) -> None:
+    """Reject actions of an ``elsewhen``: rumoca carries them out even if an earlier branch has fired.
+
+    It is right for states that all earlier branches reinitialize too, because the first one decides.
+    """
+    for chain in model.flat["when_chains"]:
+        before = _reinitialized(chain["first"]["equations"])
+        for branch in chain["else_when"]:
+            inside = branch["equations"]
+            states = {one["state"] for one in expressions(inside, "Reinit")}
+            has_others = any(next(expressions(inside, kind), None) for kind in ("Assert", "Terminate"))
+            if has_others or not states <= before:
+                _refuse_actions(model, branch["span"])
+            before &= _reinitialized(inside)
+    for clause in expressions(model.flat["algorithms"], "When"):
+        for block in clause["blocks"][1:]:
+            for found in expressions(block["stmts"], "Assert"):
+                _refuse_actions(model, found["span"])
+
+
+def _reinitialized(equations: list[dict[str, Any]]) -> set[str]:
+    """Return the states that a branch reinitializes in any case."""
+    return {one["Reinit"]["state"] for one in equations if "Reinit" in one}
+
+
+def _refuse_actions(model: LoweredModel, span: Span) -> None:
+    raise model.unsupported(
+        "reinit(), assert() and terminate() in an elsewhen are supported only if all earlier branches "
+        "reinitialize the same variable, because the compiler would carry them out even if an earlier branch "
+        "has fired; write a when-clause of its own: when b and not a then",
+        span,
+    )
 
 
 def _reject_repeated_samples(model: LoweredModel) -> None:

@@ -6,36 +6,51 @@
 
 static const char *const no_memory = "out of memory";
 
-/* Finds the root of the first relation that has changed; sets *root to NO_SLOT if there is none. */
-static const char *find_changed_root(Values *values, double *value, size_t *root)
+/* Moves of an event's time that differ by more than this part of their size are different. */
+static const double same_move = 1e-6, least_move = 1e-14;
+
+/* Computes the roots of all relations at the event, those of time just after it. */
+static const char *find_roots(Values *values, double *root)
 {
-    *root = NO_SLOT;
-    if (!model_roots(values->time, values->y, values->p, value))
+    if (!model_roots(values->time, values->y, values->p, root))
         return "the relations could not be computed";
-    model_time_relations(time_just_after(values->time), values->p, value + model.n_roots);
-    for (size_t i = 0; i < model.n_relations; ++i) {
-        const Relation *relation = &model.relations[i];
-        if (relation_holds(relation, value[relation->root]) != (values->p[relation->memory] != 0.0)) {
-            *root = relation->root;
-            break;
-        }
-    }
+    model_time_relations(time_just_after(values->time), values->p, root + model.n_roots);
     return NULL;
 }
 
 /* The root stays zero at the event as the parameter changes, so the event's time moves by -(derivative of the root by
- * the parameter)/(derivative of the root along the motion). */
-static const char *find_moves(Values *values, size_t root, double *rates)
+ * the parameter)/(derivative of the root along the motion). All relations that change must move alike: `is_first` sets
+ * the moves, others are compared with them. */
+static const char *find_moves(Values *values, const double *rate, bool is_first)
 {
     const Sensitivities *s = model.sensitivities;
-    if (!s->root_rates(values->time, values->y, values->p, rates))
-        return "the derivatives of the relations could not be computed";
-    const double *rate = rates + (1 + s->n_parameters) * root;
     for (size_t j = 0; j < s->n_parameters; ++j) {
+        double *const known = &values->p[s->moves[j].next_move];
         const double move = rate[1 + j] == 0.0 ? 0.0 : -rate[1 + j] / rate[0];
         if (!isfinite(move))
             return "there are no sensitivities beyond an event that the motion touches without crossing it";
-        values->p[s->moves[j].next_move] = move;
+        if (!is_first && fabs(move - *known) > same_move * (fabs(move) + fabs(*known)) + least_move)
+            return "there are no sensitivities beyond two events at the same time that a parameter moves apart";
+        *known = move;
+    }
+    return NULL;
+}
+
+/* Sets the moves of the event's time from the relations that have changed. */
+static const char *find_all_moves(Values *values, const double *root, double *rates)
+{
+    const Sensitivities *s = model.sensitivities;
+    bool is_first = true;
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const Relation *relation = &model.relations[i];
+        if (relation_holds(relation, root[relation->root]) == (values->p[relation->memory] != 0.0))
+            continue;
+        if (is_first && !s->root_rates(values->time, values->y, values->p, rates))
+            return "the derivatives of the relations could not be computed";
+        const char *problem = find_moves(values, rates + (1 + s->n_parameters) * relation->root, is_first);
+        if (problem != NULL)
+            return problem;
+        is_first = false;
     }
     return NULL;
 }
@@ -51,10 +66,9 @@ const char *sensitivity_meet_event(Values *values)
         return no_memory;
     for (size_t j = 0; j < s->n_parameters; ++j)
         values->p[s->moves[j].next_move] = 0.0;
-    size_t root;
-    const char *problem = find_changed_root(values, work, &root);
-    if (problem == NULL && root != NO_SLOT)
-        problem = find_moves(values, root, work + n_roots);
+    const char *problem = find_roots(values, work);
+    if (problem == NULL)
+        problem = find_all_moves(values, work, work + n_roots);
     free(work);
     return problem;
 }

@@ -205,6 +205,31 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:33: der(T[end]) is not supported; write the number of the element",
     ),
+    "reinit() in an elsewhen alone": Case(
+        _X + _N,
+        "der(x) = 1; when x > 1 then n = 1; elsewhen x > 2 then n = 2; reinit(x, 5); end when;",
+        UnsupportedModelError,
+        "M.mo:4:47: reinit(), assert() and terminate() in an elsewhen are supported only if",
+    ),
+    "reinit() of another variable": Case(
+        _X + "Real z(start = 1, fixed = true);" + _N,
+        "der(x) = 1; der(z) = 0; when x > 1 then n = 1; reinit(z, 1); elsewhen "
+        "x > 2 then n = 2; reinit(x, 5); end when;",
+        UnsupportedModelError,
+        "M.mo:4:73: reinit(), assert() and terminate() in an elsewhen are supported only if",
+    ),
+    "terminate() in an elsewhen": Case(
+        _X + _N,
+        'der(x) = 1; when x > 1 then n = 1; elsewhen x > 2 then n = 2; terminate("end"); end when;',
+        UnsupportedModelError,
+        "M.mo:4:47: reinit(), assert() and terminate() in an elsewhen are supported only if",
+    ),
+    "assert() in an elsewhen": Case(
+        _X + _N,
+        'der(x) = 1; when x > 1 then n = 1; elsewhen x > 2 then n = 2; assert(x < 9, "a"); end when;',
+        UnsupportedModelError,
+        "M.mo:4:47: reinit(), assert() and terminate() in an elsewhen are supported only if",
+    ),
     "an Integer that equals sign()": Case(
         "Integer s;",
         "s = sign(time - 0.5);",
