@@ -112,4 +112,18 @@ package Moving "Models whose derivatives by parameters are known in closed form"
       u = -k*pre(x);
     end when;
   end Sampled;
+
+  model Twins "Two slopes that change where the same line reaches a level"
+    parameter Real first = 0.5;
+    parameter Real second = 0.5;
+    Real x(start=0, fixed=true);
+    output Real a(start=0, fixed=true);
+    output Real b(start=0, fixed=true);
+    output Real c(start=0, fixed=true);
+  equation
+    der(x) = 2;
+    der(a) = if x > first then 3 else 0;
+    der(b) = if x > second then 5 else 0;
+    der(c) = if 3*x >= 3*first then 7 else 0;
+  end Twins;
 end Moving;

@@ -10,7 +10,7 @@ import pytest
 from fmpy import read_model_description, simulate_fmu
 
 from fmu_build import FmiVersion
-from pyjoystick.fmu import Fmu
+from pyjoystick.fmu import Fmu, FmuRunError
 from tests.joystick_fmu.driver import slave
 from tests.shared_fmus import SharedFmus
 
@@ -112,3 +112,14 @@ def test_saved_states_continue_bit_by_bit(shared_fmus: SharedFmus) -> None:
     for name in names:
         assert np.array_equal(first[name], again[name]), name
     assert np.ptp(first["sensitivity.v.floor"]) > 1.0
+
+
+def test_events_at_the_same_time_must_move_alike(shared_fmus: SharedFmus) -> None:
+    """`a` and `c` change together whatever `first` is, and `b` only where the parameters are equal."""
+    path = shared_fmus.fmu("Moving.Twins", LIBRARY, sensitivity="a,b,c:first,second")
+    with Fmu(path) as fmu:
+        table = fmu.run([0.0, 1.0], parameters={"second": 0.6})
+        found = [table[f"sensitivity.{name}.{by}"].iloc[-1] for name in "abc" for by in ("first", "second")]
+        assert found == pytest.approx([-1.5, 0.0, 0.0, -2.5, -3.5, 0.0], abs=1e-9)
+        with pytest.raises(FmuRunError, match="two events at the same time that a parameter moves apart"):
+            fmu.run([0.0, 1.0])
