@@ -14,8 +14,10 @@ from pyjoystick.support import FloatArray
 #: Largest difference between a quantity and the integral of its rate, relative to the larger of the two.
 #: Noise and filters stay below a tenth; a wrong sign gives 2, a factor of 2 gives 0.5.
 _TOLERATED: Final = 0.4
-#: Largest relative difference from the ratio of degrees and radians that is taken for it.
+#: Largest relative difference from the ratio of degrees and radians, or from -1, that is taken for it.
 _NEAR: Final = 0.5
+#: Ratio of two sizes that no sampling explains.
+_FAR: Final = 10.0
 #: Fewest samples that show a motion.
 _FEWEST: Final = 8
 
@@ -52,16 +54,31 @@ def require_derivative(
     integrals = np.where(inside, 0.5 * (rates[1:] + rates[:-1]) * steps, 0.0)
     moved, integrated = (_beside_a_line(np.cumsum(one)) for one in (changes, integrals))
     difference = _rms(moved - integrated)
-    if difference <= max(smallest, _TOLERATED * max(_rms(moved), _rms(integrated))):
+    small, large = sorted((_rms(moved), _rms(integrated)))
+    tolerated = max(smallest, _TOLERATED * large)
+    if _FAR * small > large:  # else not even the order of magnitude agrees, however coarse the sampling
+        tolerated += _sampling_error(steps, rates, integrals, inside)
+    if difference <= tolerated:
         return
     ratio = float(moved @ integrated / (integrated @ integrated)) if integrated.any() else math.inf
     reason = f"is not the rate of {name}, which changes {ratio:.3g} times as fast"
     raise RecordError(source, reason, _advice(name_of_rate, ratio), column=name_of_rate, rows=rows[[0, -1]])
 
 
+def _sampling_error(
+    steps: FloatArray, rates: FloatArray, integrals: FloatArray, inside: NDArray[np.bool_]
+) -> float:
+    """How much every second sample alone would change the integral: several samples a swing are few."""
+    count = len(steps) // 2 * 2
+    whole = inside[:count:2] & inside[1:count:2]
+    coarse = 0.5 * (rates[: count - 1 : 2] + rates[2 : count + 1 : 2]) * (steps[:count:2] + steps[1:count:2])
+    fine = integrals[:count:2] + integrals[1:count:2]
+    return _rms(_beside_a_line(np.cumsum(np.where(whole, coarse - fine, 0.0))))
+
+
 def _advice(name: str, ratio: float) -> str:
     power = {"omega": "", "alpha": "2"}[name]
-    if ratio < 0.0:
+    if ratio < -_NEAR:
         return "turn the sign of one of the two"
     if abs(ratio * math.degrees(1.0) - 1.0) < _NEAR:
         return f"name the column {name} (deg/s{power})"

@@ -3,6 +3,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.motion import Record, RecordError, rows_in_words
 from pyjoystick.support import FloatArray
 
@@ -119,3 +120,13 @@ def test_a_velocity_with_noise_offset_and_gaps_is_taken() -> None:
 def test_at_rest_noise_is_no_contradiction() -> None:
     noise = np.random.default_rng(6).normal(0.0, 1.0, (2, len(_MOTION)))
     Record("one", _MOTION, 0.001 * noise[0], omega=0.05 * noise[1])
+
+
+@pytest.mark.parametrize("rate", [15.0, 20.0, 24.0, 30.0, 60.0])
+@pytest.mark.parametrize("release", [-15.0, -8.0, -4.0])
+def test_a_coarse_record_is_no_contradiction_but_degrees_are(rate: float, release: float) -> None:
+    """The fastest swings have three to twelve samples."""
+    motion = simulate(NOMINAL, time=np.arange(0.0, 2.0, 1.0 / rate), theta_start=np.radians(release))
+    Record("one", motion.time, motion.theta, omega=motion.omega)
+    with pytest.raises(RecordError, match="is not the rate of theta"):
+        Record("one", motion.time, motion.theta, omega=np.degrees(motion.omega))
