@@ -11,7 +11,7 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.motion.extrema import extrema_of_derivative, extrema_of_samples, peaks_among
-from pyjoystick.support import FloatArray, SeriesError, not_negative
+from pyjoystick.support import FloatArray, SeriesError, not_negative, real_numbers
 
 
 def find_peaks(
@@ -91,7 +91,7 @@ def periods(peaks: pd.DataFrame, *, release_time: float | None = None) -> pd.Dat
 
 def _series(name: str, series: ArrayLike) -> FloatArray:
     try:
-        array = np.array(series, dtype=np.float64)
+        array = real_numbers(series)
     except (TypeError, ValueError) as error:
         raise SeriesError(name, "must hold numbers only") from error
     if array.ndim != 1:

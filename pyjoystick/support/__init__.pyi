@@ -10,6 +10,7 @@ from .checks import (
     increasing_times as increasing_times,
     not_negative as not_negative,
     positive as positive,
+    real_numbers as real_numbers,
     type_text as type_text,
     whole_number as whole_number,
 )

@@ -78,12 +78,25 @@ def angle(field: str, value: object) -> float:
     return number
 
 
+def real_numbers(values: ArrayLike) -> FloatArray:
+    """`values` as a new array of floats.
+
+    Raises:
+        TypeError, ValueError: they are no real numbers, such as durations, whose unit would be lost, complex
+            numbers or text
+    """
+    given = np.asarray(values)
+    if given.dtype.kind not in "fiubO" or any(isinstance(one, complex) for one in given.flat[:1]):
+        raise TypeError(f"{given.dtype} is no type of real numbers")
+    return np.array(given, dtype=np.float64)
+
+
 def increasing_times(time: ArrayLike) -> FloatArray:
     """`time` (s) as an array (n,) of two or more finite, increasing instants."""
     try:
-        instants = np.array(time, dtype=np.float64)
+        instants = real_numbers(time)
     except (TypeError, ValueError):
-        raise ParameterError("time", time, "an array of numbers (s)") from None
+        raise ParameterError("time", type_text(time), "an array of numbers (s)") from None
     if instants.ndim != 1 or instants.size < 2:
         given = f"array of shape {instants.shape}"
         raise ParameterError("time", given, "one-dimensional with two or more instants")

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.motion.records.derivatives import require_derivative
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, real_numbers
 
 #: Minimum number of samples of a record.
 FEWEST_SAMPLES = 3
@@ -147,7 +147,7 @@ class Record:
 
     def _checked(self, name: str, values: ArrayLike) -> FloatArray:
         try:
-            series = np.array(values, dtype=np.float64)
+            series = real_numbers(values)
         except (TypeError, ValueError):
             raise RecordError(
                 self.source, "is not an array of numbers", "give numbers", column=name

@@ -1,8 +1,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pyjoystick.support import ParameterError, checks
@@ -52,3 +54,18 @@ def test_whole_numbers_become_integers() -> None:
     assert type(checks.whole_number("count", np.int64(10**12), 0)) is int
     with pytest.raises(ParameterError, match=r"^count = -1: must be a whole number, 0 or more$"):
         checks.whole_number("count", -1, 0)
+
+
+@pytest.mark.parametrize(
+    "time",
+    [
+        pd.to_timedelta(["0ms", "1ms"]),
+        pd.to_datetime(["2026-01-01", "2026-01-02"]),
+        np.array([0.0, 0.1 + 5.0j]),
+        [0.0, 1.0j],
+        ["0", "1"],
+    ],
+)
+def test_times_are_real_numbers(time: Any) -> None:
+    with pytest.raises(ParameterError, match=r"^time = an object of type .*: must be an array of numbers"):
+        checks.increasing_times(time)
