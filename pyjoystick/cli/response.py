@@ -43,14 +43,22 @@ _RELEASES: Final = (0.1, 0.3, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0)
 
 def run(
     torque: Annotated[
-        float, typer.Option("--torque", metavar="N.M", help="Amplitude of the sinusoidal torque (N m).")
+        float,
+        typer.Option(
+            "--torque", metavar="N.M", min=0.0, max=50.0, help="Amplitude of the sinusoidal torque (N m)."
+        ),
     ] = 0.6,
-    frequency: Annotated[float, typer.Option("--frequency", metavar="HZ", help="Its frequency (Hz).")] = 4.0,
+    frequency: Annotated[
+        float,
+        typer.Option("--frequency", metavar="HZ", min=0.1, max=200.0, help="Its frequency (Hz)."),
+    ] = 4.0,
     speeds: Annotated[
         list[float] | None,
         typer.Option(
             "--speed",
             metavar="RAD/S",
+            min=-100.0,
+            max=100.0,
             help="Release with this angular velocity from every angle; repeatable; 0 if not given.",
         ),
     ] = None,

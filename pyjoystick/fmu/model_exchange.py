@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import fmpy
 import numpy as np
@@ -27,6 +27,9 @@ from pyjoystick.support import ParameterError, SimulationError, increasing_times
 
 if TYPE_CHECKING:
     import pandas as pd
+
+#: Largest rounding error of a time, relative to a step, with which FMPy's loop takes every step.
+_ROUNDED: Final = 2e-8
 
 
 def run_model_exchange(
@@ -65,6 +68,10 @@ def run_model_exchange(
     """
     instants = increasing_times(time)
     interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
+    farthest = float(np.abs(instants).max())
+    if np.spacing(farthest) > _ROUNDED * interval:  # FMPy's loop adds up its steps, and loses some there
+        allowed = f"nearer to 0 for Model Exchange in steps of {interval:g} s"
+        raise ParameterError("time", f"up to {farthest:.9g} s", allowed)
     grid = instants[0] + interval * np.arange(len(instants))
     if np.max(np.abs(grid - instants)) > 1e-9 * interval:
         raise ParameterError("time", "unequal steps", "equally spaced for Model Exchange")

@@ -17,6 +17,8 @@ from pyjoystick.support import write_text
 STATE: Final = ".pyjoystick/state.json"
 #: Key under which doit stores the values of a task.
 _VALUES: Final = "_values_:"
+_NAMES: Final = "deps:"
+_RESULT: Final = "result:"
 
 
 #: Folder of outdated results, relative to the project; they keep their names relative to the results.
@@ -69,9 +71,10 @@ class MemoryFile(JsonDB):  # type: ignore[misc]  # doit is not annotated
     """JSON file of the state; if it cannot be read, no step counts as done."""
 
     def _load(self) -> dict[str, dict[str, Any]]:
+        path = Path(self.name)
         try:
-            found = json.loads(Path(self.name).read_text(encoding="utf-8"))
-        except (OSError, ValueError):
+            found = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+        except (OSError, ValueError, RecursionError):
             return {}
         whole = isinstance(found, dict) and all(_is_remembered(one) for one in found.values())
         return found if whole else {}
@@ -82,10 +85,24 @@ class MemoryFile(JsonDB):  # type: ignore[misc]  # doit is not annotated
 
 
 def _is_remembered(one: object) -> bool:
-    """Return whether an object has the form of a recorded step."""
-    values = one.get(_VALUES, {}) if isinstance(one, dict) else None
-    files = values.get("files", {}) if isinstance(values, dict) else None
-    return isinstance(files, dict) and all(isinstance(content, str) for content in files.values())
+    """Return whether an object has the form of a recorded step: digests by file, and values."""
+    if not isinstance(one, dict):
+        return False
+    values, names, digests = one.get(_VALUES, {}), one.get(_NAMES, []), dict(one)
+    for key in (_VALUES, _NAMES, _RESULT):
+        digests.pop(key, None)
+    return (
+        isinstance(values, dict)
+        and isinstance(values.get("settings", {}), dict)
+        and _are_texts(values.get("files", {}))
+        and isinstance(names, list)
+        and all(isinstance(name, str) for name in names)
+        and _are_texts(digests)
+    )
+
+
+def _are_texts(by_name: object) -> bool:
+    return isinstance(by_name, dict) and all(isinstance(one, str) for one in by_name.values())
 
 
 class Memory(Dependency):  # type: ignore[misc]  # doit is not annotated

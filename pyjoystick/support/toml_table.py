@@ -23,6 +23,8 @@ _LOG = logging.getLogger(__name__)
 
 _BARE_KEY: Final = re.compile(r"[A-Za-z0-9_-]+")
 _ABSENT: Final = object()
+#: Most bytes of a file of settings.
+_LARGEST: Final = 50_000_000
 
 
 class Table:
@@ -192,7 +194,11 @@ def read_toml(path: str | PathLike[str] | Table) -> Table:
         return path
     path = Path(path)
     try:
-        text = path.read_text(encoding="utf-8-sig")  # some editors begin with a byte order mark
+        with path.open("rb") as file:
+            data = file.read(_LARGEST + 1)
+        if len(data) > _LARGEST:  # a device such as /dev/full has no end
+            raise InputFileError(path, f"is larger than {_LARGEST / 1e6:g} MB, which no settings are")
+        text = data.decode("utf-8-sig")  # some editors begin with a byte order mark
     except OSError as error:
         raise InputFileError(path, f"cannot be read: {error.strerror}") from error
     except UnicodeDecodeError as error:

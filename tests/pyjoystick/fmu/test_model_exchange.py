@@ -118,3 +118,11 @@ def test_signals_have_every_digit(echo3_path: Path) -> None:
     assert "text_input" not in (signals.dtype.names or ())
     with pytest.raises(ParameterError, match="text_input = text: must be left out"):
         input_signals(description, checked_inputs(description, {"text_input": "a"}))
+
+
+def test_times_at_which_steps_are_rounded_are_refused(joystick_path: Path) -> None:
+    """There, FMPy's loop takes another number of samples, as if the FMU had ended the simulation."""
+    with pytest.raises(
+        ParameterError, match=r"time = up to 1000001 s: must be nearer to 0 for Model Exchange"
+    ):
+        run_model_exchange(joystick_path, 1e6 + 0.001 * np.arange(1001))

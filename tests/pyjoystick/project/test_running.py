@@ -219,7 +219,12 @@ def test_a_file_that_changes_while_it_is_read_is_read_again(toy: Toy) -> None:
 
 
 @pytest.mark.parametrize(
-    "content", ["", "{", "[1, 2]", '{"both": 3}', '{"both": {"_values_:": 3}}', "\udcff"]
+    "content",
+    [
+        *("", "{", "[1, 2]", '{"both": 3}', '{"both": {"_values_:": 3}}', "\udcff", "[" * 100_000),
+        *('{"both": {"deps:": 5}}', '{"both": {"deps:": [[]]}}', '{"both": {"results/a.txt": []}}'),
+        *('{"both": {"_values_:": {"settings": null}}}', '{"both": {"_values_:": {"files": {"a": 1}}}}'),
+    ],
 )
 def test_a_damaged_memory_counts_as_none(done: Toy, content: str) -> None:
     memory = done.root / ".pyjoystick" / "state.json"

@@ -123,3 +123,9 @@ def test_a_byte_order_mark_is_no_content(tmp_path: Path) -> None:
     path = tmp_path / "marked.toml"
     path.write_text("a = [1]", encoding="utf-8-sig")
     assert read_toml(path).entries("a") == [1]
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="there is no /dev/zero")
+def test_a_file_without_an_end_is_refused() -> None:
+    with pytest.raises(InputFileError, match="/dev/zero: is larger than 50 MB, which no settings are"):
+        read_toml(Path("/dev/zero"))
