@@ -20,6 +20,8 @@ from pyjoystick.support import check_outputs
 
 #: Candidate release angles (deg), on both sides.
 _ANGLES: Final = (1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0)
+#: Most samples of an experiment.
+_MOST_SAMPLES: Final = 1_000_000
 EXAMPLES: Final = """
 Examples:
 
@@ -153,6 +155,9 @@ def _experiments(
 ) -> list[identification.Experiment]:
     """Candidate releases or torques; torques act on the joystick at rest in the middle."""
     support.positive("--rate", rate, "Hz"), support.positive("--duration", duration, "s")
+    if rate * duration > _MOST_SAMPLES:
+        allowed = f"at most {_MOST_SAMPLES} samples, {_MOST_SAMPLES / duration:.6g} Hz for {duration:g} s"
+        raise support.ParameterError("--rate", rate, allowed)
     if not torques:
         given = [parsing.parse_angle(text, "--angle") for text in angles or ()]
         given = given or [math.radians(sign * angle) for angle in _ANGLES for sign in (-1.0, 1.0)]

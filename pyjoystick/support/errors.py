@@ -82,7 +82,7 @@ class UnknownNameError(PyJoystickError, KeyError):
         return f"there is no {self.kind} {self.name!r}; {self._advice(list(self.known))}"
 
     def _advice(self, known: list[str]) -> str:
-        near = difflib.get_close_matches(self.name, known, n=3, cutoff=0.5)
+        near = difflib.get_close_matches(str(self.name), known, n=3, cutoff=0.5)
         if near:
             return f"did you mean {' or '.join(near)}?"
         if len(known) <= _MOST_LISTED:

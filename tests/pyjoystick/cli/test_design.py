@@ -132,3 +132,10 @@ def test_an_uncertainty_of_the_settings_is_knowledge_too(tmp_path: Path) -> None
     assert main([*FEW, "--settings", str(settings), "--json", str(out)]) == 0
     error = _errors(json.loads(out.read_text())["designs"][0])["J"]
     assert error == pytest.approx(1e-8, rel=1e-3)
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_more_samples_than_anyone_records_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["design", "--rate", "1e6", "--duration", "100"]) == 1
+    told = "--rate = 1000000.0: must be at most 1000000 samples, 10000 Hz for 100 s"
+    assert told in capsys.readouterr().err

@@ -82,3 +82,7 @@ def test_of_many_known_names_a_few_are_listed_and_where_the_others_are() -> None
 
 def test_a_simulation_error_names_the_time() -> None:
     assert str(EXAMPLES[2]) == "the run stopped at t = 0.25 s: the angle has reached pi/2"
+
+
+def test_a_name_that_is_no_text_is_told_too() -> None:
+    assert "there is no parameter 1" in str(UnknownParameterError(1, ("a", "b")))  # type: ignore[arg-type]
