@@ -99,8 +99,8 @@ class Varied:
     def _numbers(self, values: Any) -> NDArray[Any]:
         numbers: NDArray[Any] | None = None
         with suppress(TypeError, ValueError):
-            given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else np.asarray(values)
-            if given.dtype.kind in "cmM":
+            given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
+            if isinstance(given, np.ndarray) and given.dtype.kind in "cmM":
                 raise TypeError("complex numbers, dates and durations would lose a part or their unit")
             numbers = np.ascontiguousarray(given, dtype=self._type)
         if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
