@@ -104,17 +104,19 @@ def search(
         return problem.jacobian(point(own), central=central)[:, places]
 
     lower, upper = problem.variables.lower[places], problem.variables.upper[places]
-    result = least_squares(
-        residuals,
-        np.clip(full[places], lower, upper) - origins,
-        jac=jacobian,
-        bounds=(lower - origins, upper - origins),
-        x_scale="jac",
-        ftol=tolerance,
-        xtol=_STEP_TOLERANCE,
-        gtol=None,
-        max_nfev=evaluations,
-    )
+    # Records that no joystick explains can make SciPy divide by zero; the checks of the fit judge the result.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        result = least_squares(
+            residuals,
+            np.clip(full[places], lower, upper) - origins,
+            jac=jacobian,
+            bounds=(lower - origins, upper - origins),
+            x_scale="jac",
+            ftol=tolerance,
+            xtol=_STEP_TOLERANCE,
+            gtol=None,
+            max_nfev=evaluations,
+        )
     message = str(result.message).rstrip(".")
     return Minimum(best.x, best.cost, bool(result.success), message, result.nfev)
 
