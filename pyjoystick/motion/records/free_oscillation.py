@@ -208,9 +208,10 @@ def _unevenness(record: Record) -> Iterator[str]:
 
 
 def _velocity(record: Record) -> Iterator[str]:
-    """Note on a measured velocity that is off; `Record` rejects one that does not match the angle at all."""
+    """Note on a measured velocity that is off; one that does not match the angle at all is an error."""
     if record.omega is None:
         return
+    record.require_rate("omega", record.omega, moves=True)
     # Trapezoidal rule: change of the angle over a step compared with the mean velocity.
     turned = np.diff(record.theta)
     mean = 0.5 * (record.omega[1:] + record.omega[:-1]) * np.diff(record.time)

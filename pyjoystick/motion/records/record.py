@@ -111,12 +111,13 @@ class Record:
         """Sampling interval (s): the median, which ignores gaps."""
         return float(np.median(np.diff(self.time)))
 
-    def require_rate(self, name: str, series: FloatArray) -> None:
+    def require_rate(self, name: str, series: FloatArray, *, moves: bool = False) -> None:
         """Raise RecordError if omega is not the derivative of theta, or alpha not that of omega.
 
         Args:
             name: ``omega`` or ``alpha``
             series: the rate, shape (n,) (rad/s or rad/s2)
+            moves: the motion is known to stand out from noise, however small it is
         """
         of = "theta" if name == "omega" else "omega"
         require_derivative(
@@ -124,7 +125,7 @@ class Record:
             self.time,
             (of, getattr(self, of)),
             (name, series),
-            smallest=_SMALLEST[of],
+            smallest=0.0 if moves else _SMALLEST[of],
             longest_step=GAP * self.interval,
             rows=self.rows,
         )

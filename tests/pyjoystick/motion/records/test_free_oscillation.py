@@ -177,6 +177,15 @@ def test_a_record_that_ends_in_a_swing_is_not_at_rest(stop: float) -> None:
     assert check_free_oscillation(Record("made", time, theta)).notes == ()
 
 
+@pytest.mark.parametrize(("factor", "advice"), [(-1.0, "turn the sign"), (0.0, "leave the column out")])
+def test_nor_is_one_of_a_motion_as_small_as_noise(factor: float, advice: str) -> None:
+    """Of half a degree: such a record alone may be noise, a free oscillation is not."""
+    time, theta, omega = motion()
+    small = Record("made", time, 0.025 * np.radians(theta), 0.025 * factor * omega)
+    with pytest.raises(RecordError, match=advice):
+        check_free_oscillation(small)
+
+
 @pytest.mark.parametrize(
     ("factor", "advice"),
     [
