@@ -196,7 +196,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     example = "begin with a line such as: time (s),theta (deg)"
     number, line = next(filled, (0, ""))
     if not line:
-        advice = "begin with a line of them, each with its unit, such as time (s)"
+        advice = "begin with one line of column names and units, such as time (s)"
         raise RecordError(str(path), "has no headings", advice)
     delimiter = max(DELIMITERS, key=line.count)
     headings = tuple(Heading.of(cell) for cell in cells_of_line(path, number, line, delimiter))

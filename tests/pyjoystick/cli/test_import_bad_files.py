@@ -47,7 +47,7 @@ def _refused(command: Command, arguments: tuple[str, ...], file: str, words: tup
         (PLAIN.replace("(mm)", "(ft)"), ("'TOP x (ft)'", "unknown unit", "known are m, cm, mm")),
         (_row(PLAIN, 9, PLAIN.splitlines()[5]), ("'time'", "row 9", "does not increase")),
         (_row(NEXUS, 20, NEXUS.splitlines()[14]), ("'Frame'", "row 20", "does not come after")),
-        ("", ("has no headings", "begin with a line of them, each with its unit, such as time (s)")),
+        ("", ("has no headings", "begin with one line of column names and units, such as time (s)")),
     ],
 )
 def test_markers_as_text(command: Command, text: str, words: tuple[str, ...]) -> None:
