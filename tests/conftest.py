@@ -65,7 +65,7 @@ STUDIES = (
     "pyjoystick/laboratory/load_curve/test_fit.py::test_stated_errors",
     "pyjoystick/model/reference/test_accuracy.py",
     "pyjoystick/motion/test_record_peaks.py::test_the_standard_errors",
-    "pyjoystick/project/test_evaluating.py",
+    "pyjoystick/reports/project/test_evaluating.py",
     "pyjoystick/reports/export/test_fmus.py::test_an_exported_fmu_is_the_joystick_of_the_file",
     "pyjoystick/reports/html_report/test_report.py",
     "pyjoystick/runs/coupling/test_master.py::test_the_system_as_one_model_is_the_equations",
@@ -82,7 +82,11 @@ SLOW = (
     *("docs", "fmu_build", "fuzz", "joystick_fmu", "modelica", "other_tools", "scenarios", "test_signals.py"),
     *("test_your_joystick.py", "pyjoystick/cli", "pyjoystick/forced_motion", "pyjoystick/identification"),
     *("pyjoystick/laboratory/inertia/test_swing.py", "pyjoystick/laboratory/load_curve/test_fit.py"),
-    *("pyjoystick/laboratory/measurements", "pyjoystick/motion/test_record_peaks.py", "pyjoystick/project"),
+    *(
+        "pyjoystick/laboratory/measurements",
+        "pyjoystick/motion/test_record_peaks.py",
+        "pyjoystick/reports/project",
+    ),
     *("pyjoystick/reports", "pyjoystick/support/test_plots.py", "pyjoystick/test_shown.py"),
     *("pyjoystick/fmu/stepping", "pyjoystick/fmu/test_batch.py", "pyjoystick/fmu/test_cosimulation.py"),
     *("pyjoystick/fmu/test_exact_values.py", "pyjoystick/fmu/test_interruption.py"),
@@ -94,7 +98,7 @@ SLOW = (
     *("pyjoystick/runs/sweeps/test_interruption.py", "pyjoystick/runs/sweeps/test_parts.py"),
 )
 #: Quick all the same.
-QUICK = ("fmu_build/modelica_source", "fmu_build/runtime/test_layers.py")
+QUICK = ("fmu_build/codegen/modelica_source", "fmu_build/runtime/test_layers.py")
 #: What takes longest, one process each, while others go on with the rest.
 FIRST = (
     *("test_wheel.py", "test_your_joystick.py", "fmu_build/platforms/test_libraries.py", "docs/test_site.py"),

@@ -20,7 +20,7 @@ from pyjoystick.cli import main
 from pyjoystick.laboratory import true_joystick
 from pyjoystick.model import ParameterFile, read_parameter_file, simulate
 from pyjoystick.motion import read_record
-from pyjoystick.project import read_laboratory, run_project
+from pyjoystick.reports import read_laboratory, run_project
 from tests.docs import commands
 
 PAGE = (Path(__file__).parents[1] / "docs" / "your-joystick.md").read_text(encoding="utf-8")
@@ -167,7 +167,7 @@ def test_a_second_run_does_nothing_and_loads_nothing_for_it(laboratory: Path) ->
     *printed, loaded = done.stdout.splitlines()
     assert sum(" unchanged " in line for line in printed) == 16
     assert {path: path.stat().st_mtime_ns for path in (laboratory / "results").rglob("*")} == before
-    assert {"pyjoystick.project.running", "numpy"} <= set(loaded.split())
+    assert {"pyjoystick.reports.project.running", "numpy"} <= set(loaded.split())
     assert HEAVY & set(loaded.split()) == set()
 
 

@@ -10,7 +10,7 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.typing import ExtensionMetadata
 
-from pyjoystick.project import schemas
+from pyjoystick.reports import schemas
 
 #: Keys of every document, which the page explains once.
 _COMMON = ("command", "notes", "made_with")

@@ -129,7 +129,8 @@ class Room(SphinxDirective):
 
     The argument is the room. A line of the content is
 
-    - ``part: Title``, a section: the names of the door that this module or folder of the room defines
+    - ``part: Title``, a section: the names of the door that this module or folder of the room defines;
+      ``folder.part`` for a part of a folder
     - ``part``, more names for the section above
     - ``Class``, which the door does not list but its functions return
 
@@ -142,21 +143,20 @@ class Room(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         """The room's docstring and the sections."""
         package = self.arguments[0]
-        parts: dict[str, list[str]] = {}
-        for name, home in door(package).items():
-            part = home.removeprefix(f"{package}.").split(".")[0]
-            parts.setdefault(part, []).append(_entry(package, name, home))
+        left = {name: f"{home.removeprefix(f'{package}.')}." for name, home in door(package).items()}
         sections: dict[str, list[str]] = {}
         for line in self.content:
             part, _, title = (word.strip() for word in line.partition(":"))
             entries = sections.setdefault(title, []) if title else next(reversed(sections.values()))
-            if part in parts:
-                entries += parts.pop(part)
+            if names := [name for name, home in left.items() if home.startswith(f"{part}.")]:
+                entries += [_entry(package, name, f"{package}.{left.pop(name)[:-1]}") for name in names]
             elif module := _home_of_class(package, part):
                 entries.append(f".. autoclass:: {module}.{part}\n   :members:")
             else:
                 raise self.error(f"{package} has no class {part!r}, and its door lists nothing from there")
-        sections |= {part.replace("_", " ").capitalize(): entries for part, entries in parts.items()}
+        for name, home in left.items():
+            title = home.split(".")[0].replace("_", " ").capitalize()
+            sections.setdefault(title, []).append(_entry(package, name, f"{package}.{home[:-1]}"))
         text = self._parsed(f".. automodule:: {package}")
         return [*text, *(self._section(title, entries) for title, entries in sections.items())]
 

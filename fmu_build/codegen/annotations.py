@@ -6,8 +6,8 @@ import re
 
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.modelica_source.clauses import components
-from fmu_build.modelica_source.text import STRING, blanked
+from fmu_build.codegen.modelica_source.clauses import components
+from fmu_build.codegen.modelica_source.text import STRING, blanked
 from fmu_build.support.description import DefaultExperiment, Terminal
 
 _MEMBERS = r"(?:signal|inflow|outflow)\s*\([^()]*\)"

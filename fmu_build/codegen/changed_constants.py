@@ -14,8 +14,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import assigned, closing
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.modifiers import assigned, closing
 
 _KIND = r"(?:model|block|class|package|connector|record|function)"
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("

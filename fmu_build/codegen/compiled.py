@@ -8,9 +8,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.places import Place, located, place_at
-from fmu_build.modelica_source.text import declarations
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.places import Place, located, place_at
+from fmu_build.codegen.modelica_source.text import declarations
 from fmu_build.support.errors import UnsupportedModelError
 
 Span = Mapping[str, int]

@@ -8,8 +8,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, NAME, component_clauses
-from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.clauses import (
+    COMPONENT_CLAUSE,
+    EXTENSION_CLAUSE,
+    NAME,
+    component_clauses,
+)
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 
 
 def miscounted_comprehensions(text: ModelText) -> Iterator[tuple[str, Construct]]:

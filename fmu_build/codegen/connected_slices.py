@@ -9,8 +9,8 @@ import re
 from collections.abc import Container
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.modelica_source.clauses import component_clauses
-from fmu_build.modelica_source.modifiers import closing
+from fmu_build.codegen.modelica_source.clauses import component_clauses
+from fmu_build.codegen.modelica_source.modifiers import closing
 
 _CONNECT = r"\bconnect\s*\("
 _CONNECTED_ELEMENTS = r"\bconnect\s*\([^;]*\["

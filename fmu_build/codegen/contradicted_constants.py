@@ -12,10 +12,10 @@ import re
 from collections.abc import Iterable, Iterator
 
 from fmu_build.codegen.changed_constants import is_named
-from fmu_build.modelica_source.clauses import EXTENSION_CLAUSE, component_clauses
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance, extensions
-from fmu_build.modelica_source.modifiers import values
+from fmu_build.codegen.modelica_source.clauses import EXTENSION_CLAUSE, component_clauses
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.inheritance import Inheritance, extensions
+from fmu_build.codegen.modelica_source.modifiers import values
 
 _CONSTANTS = re.compile(r"\bconstant\b[^;]*")
 _ALIAS = r"\bpackage\s+\w+\s*=\s*(?:\w+\s*\.\s*)*"

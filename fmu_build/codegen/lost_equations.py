@@ -15,8 +15,8 @@ from typing import Any
 
 from fmu_build.codegen.compiled import CompiledModel, Span, expressions, is_fixed
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.modelica_source.equations import Call, IfEquation, equations
-from fmu_build.modelica_source.text import declarations
+from fmu_build.codegen.modelica_source.equations import Call, IfEquation, equations
+from fmu_build.codegen.modelica_source.text import declarations
 
 #: What looks like a call of a function and is none.
 _KEPT = {"annotation", "assert", "connect", "reinit"}

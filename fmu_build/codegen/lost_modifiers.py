@@ -16,12 +16,12 @@ from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.comprehensions import miscounted_comprehensions
 from fmu_build.codegen.contradicted_constants import contradicted_constants
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
+from fmu_build.codegen.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
+from fmu_build.codegen.modelica_source.text import inside_parentheses
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
-from fmu_build.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
-from fmu_build.modelica_source.text import inside_parentheses
 
 _KINDS = r"(?:model|block|record|type|package|class)"
 _REDECLARED_CLASS = (

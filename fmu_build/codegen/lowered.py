@@ -14,9 +14,9 @@ import rumoca
 
 from fmu_build.codegen.compiled import CompiledModel
 from fmu_build.codegen.expression import Slot
+from fmu_build.codegen.modelica_source.reached import IN_MEMORY
+from fmu_build.codegen.modelica_source.text import STRING
 from fmu_build.codegen.not_lowered import not_lowered
-from fmu_build.modelica_source.reached import IN_MEMORY
-from fmu_build.modelica_source.text import STRING
 from fmu_build.support.errors import UnsupportedModelError
 
 SOLVE_SCHEMA = 71

@@ -14,10 +14,10 @@ from collections.abc import Container, Iterator
 
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.modelica_source.clauses import component_clauses
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance, modified_classes
-from fmu_build.modelica_source.modifiers import assigned
+from fmu_build.codegen.modelica_source.clauses import component_clauses
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
+from fmu_build.codegen.modelica_source.modifiers import assigned
 
 _KIND = r"(?:model|block|class|package|connector|record|function|type)"
 _OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from fmu_build.codegen.compiled import CompiledModel, Span, expressions, is_fixed
-from fmu_build.modelica_source.text import blanked
+from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.support.errors import UnsupportedModelError
 
 _STAGE = re.compile(

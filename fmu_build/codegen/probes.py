@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from fmu_build.modelica_source.constructs import ModelText
+from fmu_build.codegen.modelica_source.constructs import ModelText
 
 _CHOICE_IN_WHEN = re.compile(r"\b(?<!end )when\b(?:(?!\bend\s+when\b).)*?\bif\b", re.DOTALL)
 _NUMBER = r"\d+(?:\.\d*)?(?:[eE][+-]?\d+)?"

@@ -8,10 +8,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 
-from fmu_build.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, component_clauses
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.inheritance import Inheritance
-from fmu_build.modelica_source.modifiers import Path, assigned
+from fmu_build.codegen.modelica_source.clauses import COMPONENT_CLAUSE, EXTENSION_CLAUSE, component_clauses
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.inheritance import Inheritance
+from fmu_build.codegen.modelica_source.modifiers import Path, assigned
 
 _ATTRIBUTES = frozenset(
     {"displayUnit", "fixed", "max", "min", "nominal", "quantity", "start", "stateSelect", "unit"}

@@ -11,8 +11,8 @@ import re
 from collections import defaultdict
 from collections.abc import Iterator
 
-from fmu_build.modelica_source.constructs import Construct, ModelText
-from fmu_build.modelica_source.modifiers import Path, assigned, closing
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.modifiers import Path, assigned, closing
 
 _KIND = r"(?:model|block|record|type|package|class|function|connector)"
 _ARRAY = r"(?:\[[^\]]*\]\s*)?"

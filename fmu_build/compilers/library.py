@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from importlib import resources
 from pathlib import Path
 
-from fmu_build.modelica_source.text import declarations
+from fmu_build.codegen.modelica_source.text import declarations
 from fmu_build.support.errors import ModelicaError, ModelNotFoundError
 
 DEFAULT_LIBRARY = "PreloadedSprings"

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from fmu_build.codegen.modelica_source.places import place_at
+from fmu_build.codegen.modelica_source.reached import ReachedSource
+from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.compilers.library import default_library, entry_file, read_text, top_level_classes
-from fmu_build.modelica_source.places import place_at
-from fmu_build.modelica_source.reached import ReachedSource
-from fmu_build.modelica_source.text import blanked
 from fmu_build.support.errors import ModelNotFoundError
 
 VARIABLE = "MODELICAPATH"

@@ -12,6 +12,12 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from fmu_build.codegen.modelica_source.builtins import takes_index, with_known_functions
+from fmu_build.codegen.modelica_source.own_bases import with_bases_beside
+from fmu_build.codegen.modelica_source.reached import IN_MEMORY, ReachedSource
+from fmu_build.codegen.modelica_source.record_copies import with_records_in_parentheses
+from fmu_build.codegen.modelica_source.table_files import with_tables_from_files
+from fmu_build.codegen.modelica_source.tables import with_own_tables
 from fmu_build.compilers.generated_once import generated_once
 from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
@@ -35,12 +41,6 @@ from fmu_build.compilers.library_path import (
     used_libraries,
 )
 from fmu_build.compilers.rumoca_errors import native_stderr, syntax_errors, translated_errors
-from fmu_build.modelica_source.builtins import takes_index, with_known_functions
-from fmu_build.modelica_source.own_bases import with_bases_beside
-from fmu_build.modelica_source.reached import IN_MEMORY, ReachedSource
-from fmu_build.modelica_source.record_copies import with_records_in_parentheses
-from fmu_build.modelica_source.table_files import with_tables_from_files
-from fmu_build.modelica_source.tables import with_own_tables
 from fmu_build.packaging import check_request, package_fmu
 from fmu_build.support.description import GeneratedModel
 from fmu_build.support.errors import ToolchainError

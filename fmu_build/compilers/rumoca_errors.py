@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from fmu_build.codegen.modelica_source.constructs import ModelText
+from fmu_build.codegen.modelica_source.places import located
+from fmu_build.codegen.modelica_source.reached import IN_MEMORY
 from fmu_build.compilers.library import read_text
 from fmu_build.compilers.rumoca_messages import meaning_of
-from fmu_build.modelica_source.constructs import ModelText
-from fmu_build.modelica_source.places import located
-from fmu_build.modelica_source.reached import IN_MEMORY
 from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
 
 _LOCATED = re.compile(r"(?:; )?(?P<text>.+?) \[(?P<place>[^\[\]\n]+\.mo:\d+:\d+)\]", re.DOTALL)

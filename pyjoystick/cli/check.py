@@ -9,7 +9,7 @@ from typing import Annotated, Any, Final
 
 import typer
 
-from pyjoystick import identification, model, project, runs, support
+from pyjoystick import identification, model, reports, runs, support
 from pyjoystick.cli.console import output, print_error, print_progress
 from pyjoystick.cli.fmus import found_or_built
 from pyjoystick.support import InputFileError, PyJoystickError, Table
@@ -57,9 +57,9 @@ def _kinds() -> tuple[_Kind, ...]:
         ),
         _Kind(
             "project",
-            ("body", "gravity", "geometry", *project.TABLES),
-            support.read_toml(project.EXAMPLE).content,
-            project.read_laboratory,
+            ("body", "gravity", "geometry", *reports.LABORATORY_TABLES),
+            support.read_toml(reports.EXAMPLE_LABORATORY).content,
+            reports.read_laboratory,
         ),
         _Kind(
             "settings of a sweep",
@@ -97,7 +97,7 @@ def run(
     """
     if not files and schemas is None:
         raise typer.BadParameter("give a FILE, or --schemas")
-    for path in [] if schemas is None else project.write_schemas(schemas):
+    for path in [] if schemas is None else reports.write_schemas(schemas):
         print_progress(f"wrote {path}")
     wrong = False
     for file in files or []:

@@ -7,7 +7,7 @@ from typing import Annotated, Final
 
 import typer
 
-from pyjoystick import project
+from pyjoystick import reports
 from pyjoystick.cli.console import print_progress
 
 EXAMPLES: Final = """
@@ -29,7 +29,11 @@ def run(
     Put the files into `data`, describe them in laboratory.toml, and type `pyjoystick run`. Existing files are
     not replaced.
     """
-    project.new_project(folder, example=example)
-    print_progress(f"wrote {folder / project.FILE}")
-    ready = "cd into the folder" if example else f"put files into {folder / 'data'}, edit {project.FILE}"
+    reports.new_project(folder, example=example)
+    print_progress(f"wrote {folder / reports.LABORATORY_FILE}")
+    ready = (
+        "cd into the folder"
+        if example
+        else f"put files into {folder / 'data'}, edit {reports.LABORATORY_FILE}"
+    )
     print_progress(f"next: {ready}, and pyjoystick run")

@@ -12,7 +12,7 @@ from rich.live import Live
 from rich.markup import escape
 from rich.table import Table
 
-from pyjoystick import fmu, project
+from pyjoystick import fmu, reports
 from pyjoystick.cli.console import (
     output,
     print_error,
@@ -52,11 +52,11 @@ def run(
     The exit code is 1 if a step failed or could not be done.
     """
     if plan:
-        steps = project.plan_project(folder, find=fmu.find_fmu)
+        steps = reports.plan_project(folder, find=fmu.find_fmu)
         output().print(_table(("step", "plan", "why"), [(one.name, one.plan, one.why) for one in steps]))
         return
     with _shown() as show:
-        done = project.run_project(folder, find=found_or_built, on_change=show)
+        done = reports.run_project(folder, find=found_or_built, on_change=show)
     rows = [(one.name, one.state, _seconds(one), _first_line(one.remark)) for one in done.steps]
     output().print(_table(("step", "state", "s", "result"), rows))
     for one in done.steps:
@@ -69,19 +69,21 @@ def run(
         print_error("stopped; the next `pyjoystick run` continues from here")
         raise typer.Exit(INTERRUPTED)
     if not done.count("done", "unchanged", "failed"):
-        print_error(f"nothing can be done yet: put the missing files into place, or edit {project.FILE}")
+        print_error(
+            f"nothing can be done yet: put the missing files into place, or edit {reports.LABORATORY_FILE}"
+        )
         raise typer.Exit(1)
     if done.count("failed", "not done"):
         raise typer.Exit(1)
 
 
 @contextmanager
-def _shown() -> Iterator[project.OnChange]:
+def _shown() -> Iterator[reports.OnChange]:
     """Table of the steps in progress; outside terminals, one line for each finished step."""
     console = progress_console()
     told: set[str] = set()
 
-    def lines(steps: Sequence[project.StepState]) -> None:
+    def lines(steps: Sequence[reports.StepState]) -> None:
         for one in steps:
             if one.state in ("done", "failed", "not done") and one.name not in told:
                 told.add(one.name)
@@ -92,7 +94,7 @@ def _shown() -> Iterator[project.OnChange]:
         return
     with Live(console=console, transient=True, auto_refresh=False) as live:
 
-        def draw(steps: Sequence[project.StepState]) -> None:
+        def draw(steps: Sequence[reports.StepState]) -> None:
             rows = [(one.name, one.state, _seconds(one), _first_line(one.remark)) for one in steps]
             live.update(_table(("step", "state", "s", "result"), rows), refresh=True)
 
@@ -107,7 +109,7 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> Table:
     return table
 
 
-def _seconds(one: project.StepState) -> str:
+def _seconds(one: reports.StepState) -> str:
     return f"{one.seconds:.1f}" if one.seconds else ""
 
 

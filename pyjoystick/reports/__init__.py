@@ -1,4 +1,4 @@
-"""Output for other people and tools: the paper's claims, HTML reports, live pages, exported FMUs."""
+"""Output for other people and tools: projects, the paper's claims, reports, live pages, exported FMUs."""
 
 import lazy_loader
 

@@ -38,3 +38,23 @@ from .html_report.report import joystick_report as joystick_report
 from .html_report.study import Study as Study
 from .live_page.joystick_page import held_fmu as held_fmu, joystick_page as joystick_page
 from .live_page.notebook import explore as explore
+from .project.creating import EXAMPLE_LABORATORY as EXAMPLE_LABORATORY, new_project as new_project
+from .project.editor_schemas.files import schemas as schemas, write_schemas as write_schemas
+from .project.errors import (
+    ProjectBusyError as ProjectBusyError,
+    ProjectExistsError as ProjectExistsError,
+    ProjectFileError as ProjectFileError,
+)
+from .project.laboratory import LABORATORY_FILE as LABORATORY_FILE, Laboratory as Laboratory
+from .project.laboratory_file import (
+    LABORATORY_TABLES as LABORATORY_TABLES,
+    read_laboratory as read_laboratory,
+)
+from .project.planning import plan_project as plan_project
+from .project.running import run_project as run_project
+from .project.states import (
+    OnChange as OnChange,
+    PlannedStep as PlannedStep,
+    ProjectRun as ProjectRun,
+    StepState as StepState,
+)

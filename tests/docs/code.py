@@ -13,7 +13,7 @@ import rumoca
 from fmu_build.explore import read_settings as read_page_settings
 from pyjoystick.identification import read_fit_settings
 from pyjoystick.model import NOMINAL, read_parameter_file, write_parameters
-from pyjoystick.project import read_laboratory
+from pyjoystick.reports import read_laboratory
 from pyjoystick.runs import Sweep, read_settings
 from tests.docs import commands
 from tests.docs.pages import ROOT, Block

@@ -12,7 +12,7 @@ import pytest
 import typer
 
 from pyjoystick import cli
-from pyjoystick.project import schemas
+from pyjoystick.reports import schemas
 from tests.docs.commands import command_lines, read
 from tests.docs.pages import blocks
 from tests.modelica.library import MSL_ROOT, ROOT as LIBRARY, library_classes

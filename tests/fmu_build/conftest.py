@@ -11,7 +11,7 @@ import pytest
 from tests.shared_fmus import plain_builds
 
 #: Here FMUs are built for the motion of their models alone.
-PLAIN = ("codegen", "modelica_source", "models")
+PLAIN = ("codegen", "models")
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -13,7 +13,7 @@ from fmu_build.support.request import BuildRequest, SensitivityRequest
 
 _TESTS: Final = Path(__file__).parents[1] / "fmu_build"
 _MODELS: Final = _TESTS / "models"
-_TABLES: Final = _TESTS / "modelica_source" / "tables"
+_TABLES: Final = _TESTS / "codegen" / "modelica_source" / "tables"
 
 
 @dataclass(frozen=True)

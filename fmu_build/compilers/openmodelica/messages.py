@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from fmu_build.modelica_source.places import Place, located
+from fmu_build.codegen.modelica_source.places import Place, located
 from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
 
 _MESSAGE = re.compile(

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
+from fmu_build.codegen.modelica_source.constructs import ModelText
 from fmu_build.compilers.rumoca_messages.connections import CONNECTIONS_AND_COUNTS
 from fmu_build.compilers.rumoca_messages.declarations import DECLARATIONS
 from fmu_build.compilers.rumoca_messages.events import EVENTS
 from fmu_build.compilers.rumoca_messages.functions import FUNCTIONS
 from fmu_build.compilers.rumoca_messages.meaning import Meaning
-from fmu_build.modelica_source.constructs import ModelText
 
 MEANINGS = (*CONNECTIONS_AND_COUNTS, *EVENTS, *FUNCTIONS, *DECLARATIONS)
 

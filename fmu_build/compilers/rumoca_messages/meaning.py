@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from fmu_build.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.support.errors import BuildError
 
 QUALIFIED = r"(?:[^`']*\.)?(?P<name>\w+)(?:\[[^`'.]*\])?"

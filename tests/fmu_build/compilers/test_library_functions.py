@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from fmu_build import build_fmu
-from fmu_build.modelica_source.builtins import with_known_functions
+from fmu_build.codegen.modelica_source.builtins import with_known_functions
 from pyjoystick.fmu import Fmu
 
 # As in Modelica.Math: declarations, with a search in both directions from the last place.

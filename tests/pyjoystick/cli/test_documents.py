@@ -15,7 +15,7 @@ from typer.main import get_command
 
 from pyjoystick.cli import LazyCommand, app, main
 from pyjoystick.model import NOMINAL
-from pyjoystick.project import new_project, schemas
+from pyjoystick.reports import new_project, schemas
 from tests.pyjoystick.cli.conftest import Command
 
 RECORDS = [

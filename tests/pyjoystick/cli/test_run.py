@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from filelock import FileLock
 
-from pyjoystick import project
-from pyjoystick.project import ProjectRun, StepState
+from pyjoystick import reports
+from pyjoystick.reports import ProjectRun, StepState
 from tests.pyjoystick.cli.conftest import Command
 
 PARTS = "part,mass (g),height (mm),inertia (g.cm2)\nshaft,360,70,12000\ngrip,350,150,6000\n"
@@ -21,8 +21,7 @@ def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project that takes no time: without the report."""
     (tmp_path / "laboratory.toml").write_text(SMALL, encoding="utf-8")
     (tmp_path / "parts.csv").write_text(PARTS, encoding="utf-8")
-    report = project.assembling.publishing.report  # type: ignore[attr-defined]
-    monkeypatch.setattr(report.__globals__["reports"], "joystick_report", lambda *_, **__: "<html></html>")
+    monkeypatch.setattr(reports, "joystick_report", lambda *_, **__: "<html></html>")
     return tmp_path
 
 
@@ -103,7 +102,7 @@ def test_ctrl_c(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
     def stopped(*_: object, **__: object) -> ProjectRun:
         return ProjectRun((StepState("fit", "not done", "stopped"),), (), interrupted=True)
 
-    monkeypatch.setattr(project, "run_project", stopped)
+    monkeypatch.setattr(reports, "run_project", stopped)
     outcome = command("run")
     assert outcome.code == 130
     assert "stopped; the next `pyjoystick run` continues from here" in outcome.err

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from fmu_build.codegen.modelica_source.places import Place
 from fmu_build.compilers.openmodelica.messages import (
     Message,
     errors,
@@ -16,7 +17,6 @@ from fmu_build.compilers.openmodelica.messages import (
     unquoted,
     watched,
 )
-from fmu_build.modelica_source.places import Place
 from fmu_build.support.errors import BuildError, ModelicaError, ToolchainError, UnsupportedModelError
 from tests.fmu_build.compilers.openmodelica import recorded
 
