@@ -95,6 +95,11 @@ def test_a_constant_takes_the_place_of_a_table(live: Live) -> None:
     assert not page.csv().equals(constant)
 
 
+def test_the_table_is_saved_as_a_file(live: Live) -> None:
+    page = live("Models.Ball")
+    assert page.csv(download=True).equals(page.csv())
+
+
 def test_a_box_is_a_boolean(live: Live) -> None:
     page = live("Models.Ball")
     with page.rerun():
