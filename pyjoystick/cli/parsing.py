@@ -13,7 +13,7 @@ import typer
 
 from pyjoystick import model, motion
 from pyjoystick.cli.plausibility import note_small_angle
-from pyjoystick.support import ParameterError
+from pyjoystick.support import ParameterError, number_of_text
 
 _ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>\D*)")
 
@@ -73,7 +73,7 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
 def _with_unit(name: str, text: str) -> float:
     """A number with an optional unit of the parameter; raises ValueError if there is no number."""
     with suppress(ValueError):
-        return float(text)
+        return number_of_text(text)
     units = model.units_of(name)
     try:
         return motion.amount(text, units or {})

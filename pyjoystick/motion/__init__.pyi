@@ -15,7 +15,12 @@ from .extrema import (
 from .labelled import to_xarray as to_xarray
 from .logs.layout import Layout as Layout, Scale as Scale, scale_of as scale_of
 from .logs.log_table import LogTable as LogTable, read_log_table as read_log_table
-from .logs.reading import Log as Log, read_log as read_log, record_of as record_of
+from .logs.reading import (
+    Log as Log,
+    read_log as read_log,
+    record_of as record_of,
+    require_plausible_load as require_plausible_load,
+)
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Column, Heading, TableHead
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, number_of_text
 
 _LOG = logging.getLogger(__name__)
 
@@ -86,7 +86,7 @@ class TableFile:
         values = np.empty(len(self.cells))
         for i, cell in enumerate(self.texts(heading)):
             try:
-                values[i] = np.nan if cell.lower() in EMPTY else float(cell)
+                values[i] = np.nan if cell.lower() in EMPTY else number_of_text(cell)
             except ValueError:
                 raise no_number(self.head.path, heading, int(self.rows[i]), cell) from None
         return values
@@ -226,7 +226,7 @@ def cells_of_line(path: Path, number: int, line: str, delimiter: str) -> tuple[s
 
 def _is_number(text: str) -> bool:
     try:
-        float(text)
+        number_of_text(text)
     except ValueError:
         return False
     return True

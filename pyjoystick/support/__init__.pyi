@@ -9,6 +9,7 @@ from .checks import (
     finite as finite,
     increasing_times as increasing_times,
     not_negative as not_negative,
+    number_of_text as number_of_text,
     positive as positive,
     real_numbers as real_numbers,
     type_text as type_text,

@@ -30,6 +30,16 @@ def type_text(value: object) -> str:
     return f"an object of type {type(value).__name__}"
 
 
+def number_of_text(text: str) -> float:
+    """The number that a text is, ValueError for any other.
+
+    Unlike `float`, it takes no underscores and no digits of other scripts: in a file they are damage.
+    """
+    if "_" in text or not text.isascii():
+        raise ValueError(text)
+    return float(text)
+
+
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
     """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
     number = math.nan

@@ -12,9 +12,9 @@ from pyjoystick.identification.fitting.json_report import as_json
 from pyjoystick.identification.fitting.problem.measurement import Measurement, read_table_record
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.result import Fit
-from pyjoystick.identification.fitting.settings_file import reads_releases
+from pyjoystick.identification.fitting.settings_file import is_driven, reads_releases
 from pyjoystick.identification.fitting.text_report import report
-from pyjoystick.motion import Record, read_repeats
+from pyjoystick.motion import Record, read_repeats, require_plausible_load
 from pyjoystick.support import write_text
 
 
@@ -30,13 +30,19 @@ def read_records(
     """Read the records that the settings compare with the FMU, one from each file.
 
     They are releases, read by `pyjoystick.motion.read_repeats` with these options, or tables of the
-    FMU's variables, read by `pyjoystick.fmu.read_variables`; both raise RecordError.
+    FMU's variables, read by `pyjoystick.fmu.read_variables`; both raise RecordError. The torque that drives a
+    joystick must not exceed 200 N m.
     """
     if reads_releases(settings):
         counted = settings.comparison == "peaks"
         return [*read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)]
     names = (*settings.outputs, *settings.inputs)
-    return [read_table_record(path, names, fmu) for path in paths]
+    tables = [read_table_record(path, names, fmu) for path in paths]
+    if is_driven(settings):
+        for path, record in zip(paths, tables, strict=True):
+            advice = "correct the unit in the heading, or this sample"
+            require_plausible_load(path, "T", record.columns["T"], "T", advice)
+    return [*tables]
 
 
 def save_fit(fit: Fit, folder: str | PathLike[str], title: str, notes: Sequence[str] = ()) -> list[Path]:

@@ -168,6 +168,11 @@ def reads_releases(settings: FitSettings) -> bool:
     return set(settings.outputs) <= {"theta", "omega"} and not settings.inputs
 
 
+def is_driven(settings: FitSettings) -> bool:
+    """Whether the records are motions of a joystick and the torque that drives it."""
+    return set(settings.outputs) <= {"theta", "omega"} and set(settings.inputs) == {"T"}
+
+
 def as_document(settings: FitSettings) -> Mapping[str, Any]:
     """The settings as plain data, for reports."""
     return dataclasses.asdict(settings)

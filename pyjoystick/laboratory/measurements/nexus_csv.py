@@ -25,7 +25,7 @@ import pandas as pd
 
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.motion import DELIMITERS, RecordError
-from pyjoystick.support import FloatArray
+from pyjoystick.support import FloatArray, number_of_text
 
 _SECTION: Final = "trajectories"
 _AXES: Final = ["X", "Y", "Z"]
@@ -135,7 +135,7 @@ def _cell(cells: list[str], column: int) -> str:
 def _rate(section: _Section) -> float:
     text = section.cells(1)[0]
     try:
-        rate = float(text)
+        rate = number_of_text(text)
     except ValueError:
         rate = math.nan
     slowest, fastest = _RATES
@@ -169,7 +169,7 @@ def _no_number(section: _Section) -> RecordError:
     for i in range(_HEAD, len(section.lines)):
         for column, cell in enumerate(section.cells(i)):
             try:
-                float(cell or "nan")
+                number_of_text(cell or "nan")
             except ValueError:
                 above = max((k for k in range(column + 1) if _cell(names, k)), default=0)
                 decimal = "," in cell

@@ -31,7 +31,7 @@ COLUMNS: Final = (
     Column("F", UNITS["force"], required=False),
 )
 #: Largest torque (N m) and force (N) at a joystick that is moved by hand or by a test bench.
-_LARGEST: Final = {"T": 200.0, "F": 2000.0}
+_LARGEST_LOADS: Final = {"T": 200.0, "F": 2000.0}
 #: Minimum duration of a record (s); shorter ones contain no motion of a joystick.
 _SHORTEST: Final = 0.02
 
@@ -145,14 +145,19 @@ def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatAr
 
 def _require_plausible(table: LogTable, match: Match, series: FloatArray) -> None:
     """Reject torques (N m) and forces (N) in the wrong unit, which shows in nothing else."""
-    name = match.column.name
+    advice = f"is this really in {match.unit}? Correct the unit in the heading"
+    require_plausible_load(table.file.head.path, match.column.name, series, match.heading.text, advice)
+
+
+def require_plausible_load(path: Path, name: str, series: FloatArray, heading: str, advice: str) -> None:
+    """Reject torques ``T`` (N m) and forces ``F`` (N) that no joystick withstands; others are not checked."""
     finite = series[np.isfinite(series)]
-    if name not in _LARGEST or not finite.size or np.abs(finite).max() <= _LARGEST[name]:
+    largest = _LARGEST_LOADS.get(name, np.inf)
+    if not finite.size or np.abs(finite).max() <= largest:
         return
     unit = {"T": "N.m", "F": "N"}[name]
-    reason = f"reaches {np.abs(finite).max():.4g} {unit}; a joystick takes up to {_LARGEST[name]:g} {unit}"
-    advice = f"is this really in {match.unit}? Correct the unit in the heading"
-    raise RecordError(str(table.file.head.path), reason, advice, column=match.heading.text)
+    reason = f"reaches {np.abs(finite).max():.4g} {unit}; a joystick takes up to {largest:g} {unit}"
+    raise RecordError(str(path), reason, advice, column=heading)
 
 
 def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int64]) -> Iterator[str]:

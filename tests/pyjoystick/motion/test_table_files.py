@@ -141,6 +141,8 @@ def test_cells_in_quotes(tmp_path: Path) -> None:
             "'theta (turns)', row 1: has an unknown unit (found turns); known are rad",
         ),
         ("theta (deg)\n1\nx\n", "column 'theta (deg)', row 3: is not a number (found 'x'); write a number"),
+        ("theta (deg)\n1\n1_000\n", "row 3: is not a number (found '1_000'); write a number"),
+        ("theta (deg)\n1\n\u0661\n", "row 3: is not a number (found '\u0661'); write a number"),
         (
             "theta (deg);a\n1,5;2\n",
             "row 2: is not a number (found '1,5'); write numbers with a decimal point",
