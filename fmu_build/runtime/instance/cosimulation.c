@@ -2,6 +2,7 @@
 #include "block.h"
 #include "evaluation.h"
 #include "extremes.h"
+#include "variables.h"
 
 #include <float.h>
 #include <math.h>
@@ -160,13 +161,21 @@ static Status check_asserts_here(Instance *instance)
     return fail(instance, instance->values.time, "an assertion is violated.");
 }
 
+COLD static Status fail_not_finite(Instance *instance, double time)
+{
+    char names[256], why[320];
+    variables_not_finite(&instance->values, integrator_find_failure(&instance->integrator), names, sizeof names);
+    snprintf(why, sizeof why, "the derivatives are not finite%s%s.", names[0] == '\0' ? "" : ": ", names);
+    return fail(instance, time, why);
+}
+
 /* The states are still those at which derivatives or roots could not be computed. */
 COLD static Status fail_to_compute(Instance *instance, double time)
 {
     const Values *values = &instance->values;
     char why[NEWTON_TEXT_SIZE];
     if (isnan(instance->failed_at))
-        return fail(instance, time, "the derivatives are not finite.");
+        return fail_not_finite(instance, time);
     return fail(instance, time, blocks_explain(instance->failed_at, values->y, values->p, why));
 }
 

@@ -3,6 +3,7 @@
 
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 
 static const char *const type_names[] = {[TYPE_REAL] = "Real",
                                          [TYPE_INTEGER] = "Integer",
@@ -177,6 +178,27 @@ bool variable_may_set(const Instance *instance, const Variable *variable, double
         return false;
     }
     return true;
+}
+
+void variables_not_finite(const Values *values, const double *derivatives, char *text, size_t size)
+{
+    enum { MOST_NAMES = 3 };
+    size_t length = 0;
+    text[0] = '\0';
+    for (size_t i = 0, named = 0; derivatives != NULL && i < model.n_variables && named < MOST_NAMES; ++i) {
+        const Variable *variable = &model.variables[i];
+        const bool is_derivative = variable->store == STORE_DERIVATIVE;
+        if (!is_derivative && variable->store != STORE_STATE_OR_ALGEBRAIC)
+            continue;
+        if (isfinite(is_derivative ? derivatives[variable->index] : values->y[variable->index]))
+            continue;
+        const size_t room = size - length;
+        const int written = snprintf(text + length, room, "%s%s", named == 0 ? "" : ", ", variable->name);
+        if (written < 0 || (size_t)written >= room)
+            return; /* the last name is cut off */
+        length += (size_t)written;
+        ++named;
+    }
 }
 
 void variable_set(Instance *instance, const Variable *variable, double value)

@@ -33,6 +33,10 @@ bool variable_fits(const Instance *instance, const Variable *variable, double va
 /* Returns the name of a state by its index in y. */
 const char *variable_name_of_state(size_t index);
 
+/* Writes the names of the first variables that are not finite, with these derivatives, separated by commas; nothing
+ * without derivatives. */
+void variables_not_finite(const Values *values, const double *derivatives, char *text, size_t size);
+
 /* Returns whether the variable may be set in this phase and to this value; if not, a message names the variable, the
  * value and what is allowed. */
 bool variable_may_set(const Instance *instance, const Variable *variable, double value);

@@ -1,4 +1,5 @@
 #include "integrator.h"
+#include "cold.h"
 #include "extremes.h"
 #include "model.h"
 
@@ -107,6 +108,12 @@ static double inverse_tenth_root(double x)
     bits = (bits & digits) | one;
     memcpy(&mantissa, &bits, sizeof mantissa);
     return power * (0.998 - 0.245 * (mantissa - 1.0) * (2.0 - mantissa));
+}
+
+/* Steps are not shorter than this. */
+static double shortest_step(const StepRecord *record)
+{
+    return larger(16.0 * DBL_EPSILON * fabs(record->time), 16.0 * DBL_MIN);
 }
 
 static bool evaluate(Integrator *integrator, double time, StepPoint point, double *slope)
@@ -260,7 +267,7 @@ StepResult integrator_step(Integrator *integrator, double limit)
     if (!prepare(integrator))
         return STEP_NOT_COMPUTABLE;
     StepRecord *record = &integrator->record;
-    const double smallest = larger(16.0 * DBL_EPSILON * fabs(record->time), 16.0 * DBL_MIN);
+    const double smallest = shortest_step(record);
     /* An event right behind another one truncates a step to less than that, which suggests nothing about the next. */
     double h = larger(smaller(record->suggestion, integrator->largest_step), smallest);
     bool rejected = false;
@@ -288,4 +295,47 @@ StepResult integrator_step(Integrator *integrator, double limit)
         if (!(h > smallest))
             return isfinite(error) ? STEP_TOO_SMALL : STEP_NOT_COMPUTABLE;
     }
+}
+
+COLD static bool is_finite(const double *values)
+{
+    for (size_t i = 0; i < model.n_states; ++i)
+        if (!isfinite(values[i]))
+            return false;
+    return true;
+}
+
+/* Returns the first slope of the stages 2 to 7 that is not finite; NULL if there is none. */
+COLD static const double *stages_find_failure(Integrator *integrator, double h)
+{
+    const double end = integrator->record.time + h;
+    const double *slope = slope_of(integrator, 2);
+    if (!stage(integrator, 2, h, end) || !is_finite(slope))
+        return slope;
+    if (!stage(integrator, 3, h, end) || !is_finite(slope += model.n_states))
+        return slope;
+    if (!stage(integrator, 4, h, end) || !is_finite(slope += model.n_states))
+        return slope;
+    if (!stage(integrator, 5, h, end) || !is_finite(slope += model.n_states))
+        return slope;
+    if (!stage(integrator, 6, h, end) || !is_finite(slope += model.n_states))
+        return slope;
+    return !stage(integrator, 7, h, end) || !is_finite(slope += model.n_states) ? slope : NULL;
+}
+
+COLD const double *integrator_find_failure(Integrator *integrator)
+{
+    if (model.n_states == 0)
+        return NULL;
+    double *slope = slope_of(integrator, 1);
+    memcpy(integrator->argument, states_of(integrator), model.n_states * sizeof(double));
+    if (!evaluate(integrator, integrator->record.time, STEP_START, slope) || !is_finite(slope))
+        return slope;
+    /* The shortest step that fails leaves fewest variables that are not finite only because others are not. */
+    for (double h = shortest_step(&integrator->record); h < 1.0; h *= 10.0) {
+        const double *failed = stages_find_failure(integrator, h);
+        if (failed != NULL)
+            return failed;
+    }
+    return NULL;
 }

@@ -54,6 +54,10 @@ void integrator_restart(Integrator *integrator, double time, const double *state
 /* Takes one accepted step from record.time, not beyond `limit`. */
 StepResult integrator_step(Integrator *integrator, double limit);
 
+/* After STEP_NOT_COMPUTABLE: evaluates again where the derivatives were not finite, and returns these; NULL if they are
+ * finite there. */
+const double *integrator_find_failure(Integrator *integrator);
+
 /* Computes the states at a time within the last step from the dense output. */
 void integrator_interpolate(const Integrator *integrator, double time, double *states);
 

@@ -96,6 +96,22 @@ def test_a_model_that_cannot_go_on_says_why(
     assert any(message in logged for logged in run.messages), run.messages
 
 
+@pytest.mark.parametrize(
+    ("model", "expected"),
+    [
+        ("NotFinite", "level, der(v), der(w)."),
+        ("NotFiniteFromTheStart", "time 0: the derivatives are not finite: der(x)."),
+    ],
+)
+def test_derivatives_that_are_not_finite_are_named(
+    model: str, expected: str, shared_fmus: SharedFmus
+) -> None:
+    run = Run(f"Failing.{model}", FAILING, shared_fmus)
+    with pytest.raises(FMICallException):
+        run("CoSimulation")
+    assert run.messages[-1].endswith(expected), run.messages
+
+
 @pytest.mark.parametrize("fmi_type", TYPES)
 def test_a_loop_that_a_parameter_makes_singular_names_what_it_leaves_open(
     fmi_type: str, shared_fmus: SharedFmus

@@ -23,6 +23,21 @@ package Failing "Models that build, and whose run must end with a message"
     x*x + x^4 = 0.5 - time;
   end NoSolution;
 
+  model NotFinite "The logarithm of zero and less from t = 0.5 on, and what follows from it"
+    Real x(start=0.5, fixed=true), level, v(start=0, fixed=true), w(start=0, fixed=true);
+  equation
+    der(x) = -1;
+    level = log(x);
+    der(v) = level;
+    der(w) = 2*level + x;
+  end NotFinite;
+
+  model NotFiniteFromTheStart "Divides by zero at once"
+    Real x(start=2, fixed=true);
+  equation
+    der(x) = 1/(x - 2);
+  end NotFiniteFromTheStart;
+
   model ImpossibleStart "No start value satisfies the initial equation"
     Real x(start=1);
   initial equation
