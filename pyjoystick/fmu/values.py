@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from numbers import Integral, Real
-from typing import Final
+from typing import Final, SupportsFloat
 
 import numpy as np
 
@@ -96,7 +96,7 @@ def checked_value(variable: Variable, value: object) -> Value:
             return value
         raise ParameterError(variable.name, repr(value), "text without null characters")
     kind = Integral if variable.type in INTEGERS else Real
-    if isinstance(value, bool | np.bool_) or not isinstance(value, kind) or not math.isfinite(value):
+    if isinstance(value, bool | np.bool_) or not isinstance(value, kind) or not _is_finite(value):
         raise ParameterError(variable.name, value, allowed_values(variable))
     number = int(value) if isinstance(value, Integral) else float(value)
     low, high = limits(variable)
@@ -104,6 +104,13 @@ def checked_value(variable: Variable, value: object) -> Value:
         hint = f"its type is {variable.type}" if variable.type in (*INTEGERS, "Float32") else ""
         raise ParameterError(variable.name, value, allowed_values(variable), hint)
     return number if variable.type in INTEGERS else float(number)
+
+
+def _is_finite(value: SupportsFloat) -> bool:
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # a whole number of more than 308 digits
+        return False
 
 
 def whole_number_for(variable: Variable, value: float) -> int:
@@ -184,11 +191,14 @@ def checked_outputs(
 
     Raises:
         UnknownVariableError: the FMU has no variable of that name
-        ParameterError: the variable is a whole array, of a type that has no values, or text
+        ParameterError: a name is no text; or the variable is a whole array, of a type that has no values, or text
     """
     if outputs is None:
         return default_outputs(description, texts=texts)[0]
     names = tuple(dict.fromkeys((outputs,) if isinstance(outputs, str) else outputs))
+    for name in names:
+        if not isinstance(name, str):
+            raise ParameterError("outputs", type_text(name), "names of variables")
     parts: dict[str, Variable] = {}
     for name in names:
         if name not in parts:

@@ -98,7 +98,10 @@ def real_numbers(values: ArrayLike) -> FloatArray:
     given = np.asarray(values)
     if given.dtype.kind not in "fiubO" or any(isinstance(one, complex) for one in given.flat[:1]):
         raise TypeError(f"{given.dtype} is no type of real numbers")
-    return np.array(given, dtype=np.float64)
+    try:
+        return np.array(given, dtype=np.float64)
+    except OverflowError as error:  # a whole number of more than 308 digits
+        raise ValueError(str(error)) from None
 
 
 def increasing_times(time: ArrayLike) -> FloatArray:

@@ -64,6 +64,11 @@ def test_the_joystick_takes_the_least_values_that_it_declares(joystick: Fmu) -> 
     assert all("must not be less than returnSpring.x_0" in said for said in refused.values())
 
 
+def test_names_of_outputs_are_texts(joystick: Fmu) -> None:
+    with pytest.raises(ParameterError, match="outputs = an object of type int: must be names of variables"):
+        joystick.run(TIME, outputs=["theta", 1])  # type: ignore[list-item]
+
+
 def test_an_unknown_parameter_gets_the_nearest_ones(joystick: Fmu) -> None:
     with pytest.raises(UnknownParameterError, match=r"no parameter 'dampingC'; did you mean damping\.C"):
         joystick.run(TIME, parameters={"dampingC": 0.05})
@@ -103,6 +108,7 @@ def test_values_come_in_the_type_of_the_variable(kind: str, value: object, expec
         ("Boolean", 1, "True or False"),
         ("String", 1, "text"),
         ("Real", 1j, "a finite number"),
+        ("Real", 10**400, "a finite number"),
     ],
 )
 def test_values_of_another_type_are_refused(kind: str, value: object, message: str) -> None:
