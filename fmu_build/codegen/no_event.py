@@ -1,8 +1,9 @@
 """Comparisons within noEvent(), which trigger no event.
 
-rumoca generates no zero crossing for comparisons of time and parameters, and for those within another
-comparison: outside noEvent() they are events, inside they are evaluated literally. Its Solve IR does not
-distinguish the two, but the DAE does.
+rumoca generates no zero crossing for comparisons of time and parameters, for those within another comparison,
+and for those of a continuous variable with a discrete one that a clause with sample() sets: outside noEvent()
+they are events, inside they are evaluated literally. Its Solve IR does not distinguish the two, but the DAE
+does.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from fmu_build.codegen.functions.calls import operands
 from fmu_build.codegen.lowered import LoweredModel
 
 _ORDER = frozenset({"less", "less_equal", "greater", "greater_equal"})
+_CONTINUOUS = frozenset({"time", "state", "derivative", "algebraic", "input"})
 
 
 def literal_comparisons(model: LoweredModel) -> frozenset[Expression]:
@@ -38,6 +40,27 @@ def inner_comparisons(model: LoweredModel) -> tuple[bool, bool]:
     watched = _reached(operations, inside, into_no_event=False)
     literal = _reached(operations, inside, into_no_event=True) - watched
     return bool(watched.intersection(outer)), bool(literal.intersection(outer))
+
+
+def comparisons_with_discrete(model: LoweredModel) -> tuple[bool, bool]:
+    """Whether comparisons of continuous with discrete variables occur that trigger events, and others."""
+    operations = [entry["operation"] for entry in model.dae["expressions"]]
+    used = {one for operation in operations for one in operands(operation)}
+    roots = (number for number in range(len(operations)) if number not in used)
+    watched = _reached(operations, roots, into_no_event=False)
+    found = {number for number in range(len(operations)) if _mixes(operations, number)}
+    return bool(found & watched), bool(found - watched)
+
+
+def _mixes(operations: list[dict[str, Any]], number: int) -> bool:
+    """Whether this is an order comparison that reads discrete variables and others that change."""
+    if operations[number].get("operator") not in _ORDER:
+        return False
+    inside = (
+        operations[one] for one in _reached(operations, operands(operations[number]), into_no_event=True)
+    )
+    kinds = {one["coordinate"]["kind"] for one in inside if one["kind"] == "coordinate"}
+    return any("discrete" in kind for kind in kinds) and not kinds.isdisjoint(_CONTINUOUS)
 
 
 def _is_no_event(operation: dict[str, Any]) -> bool:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from fmu_build.codegen.compiled import Span, expressions
@@ -12,6 +13,7 @@ from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
 from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.member_slices import reject_member_slices
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
+from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.not_discrete import reject_continuous_definitions
 
 
@@ -25,6 +27,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_overridden_branches(model)
     _reject_unguarded_actions(model)
     _reject_repeated_samples(model)
+    _reject_reordered_arguments(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
     reject_lost_modifiers(model)
@@ -172,3 +175,31 @@ def _reject_repeated_samples(model: LoweredModel) -> None:
                     "common period and count",
                     branch["span"],
                 )
+
+
+def _reject_reordered_arguments(model: LoweredModel) -> None:
+    """Reject named arguments out of order in ``(a, b) := f(...)``: rumoca takes them in order."""
+    functions = model.flat["functions"]
+    for function in functions.values():
+        for call in expressions(function["body"], "FunctionCall"):
+            inputs = functions.get(call["comp"]["name"], {}).get("inputs", ()) if "outputs" in call else ()
+            for number, name in _named_arguments(model, call) if "outputs" in call else ():
+                if number >= len(inputs) or inputs[number]["name"] != name:
+                    raise model.unsupported(
+                        f"the argument {name} would be taken for another, because a call in a function that "
+                        "takes several results has its arguments in the order of the declaration; give them "
+                        "in this order",
+                        call["span"],
+                    )
+
+
+def _named_arguments(model: LoweredModel, call: Mapping[str, Any]) -> Iterator[tuple[int, str]]:
+    """Yield position and name of the arguments that a call gives by name."""
+    end = call["span"]["end"]
+    for number, argument in enumerate(call["args"]):
+        ((_, content),) = argument.items()
+        span = content["span"]
+        before = model.text({"source": span["source"], "start": end, "end": span["start"]})
+        if found := re.search(r"[(,]\s*([\w']+)\s*=[\s(]*$", blanked(before)):
+            yield number, found[1]
+        end = span["end"]

@@ -2,23 +2,24 @@
 
 Between events an equation reads the memory of a relation instead of the relation itself, so that the branch
 is frozen while the integrator passes the kink and locates it. rumoca gives most relations a memory. A
-comparison left without one is matched to its zero crossing or recognized as a time event; it remains a
-comparison only inside noEvent() or if it is constant between events. floor(), ceil() and trunc() get a memory
-for their value, and two zero crossings at which the value changes. The same holds for what is inside of
-another comparison.
+comparison left without one is matched to its zero crossing, recognized as a time event, or gets a crossing if
+it reads a discrete variable; it remains a comparison only inside noEvent() or if it is constant between
+events. floor(), ceil() and trunc() get a memory for their value, and two zero crossings at which the value
+changes. The same holds for what is inside of another comparison.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.differentiate import linear_root
 from fmu_build.codegen.expression import TIME, ZERO, Expression, binary, negate
-from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.no_event import inner_comparisons, literal_comparisons
+from fmu_build.codegen.lowered import LoweredModel, slot_of
+from fmu_build.codegen.no_event import comparisons_with_discrete, inner_comparisons, literal_comparisons
 from fmu_build.codegen.programs import ProgramReader
 
 _STEPS = ("Floor", "Ceil", "Trunc")
@@ -51,6 +52,10 @@ class Relations:
     """Comparisons of time that trigger no event."""
     watches_inner: bool = False
     """Comparisons inside of others trigger events too."""
+    discrete: frozenset[Expression] = frozenset()
+    """Values of discrete variables and their pre(); empty if comparisons with them trigger no events."""
+    inputs: frozenset[Expression] = frozenset()
+    """Continuous inputs."""
 
     @property
     def indicators(self) -> dict[tuple[Expression, bool], int]:
@@ -124,7 +129,9 @@ class Relations:
             if when not in self.event_times:
                 self.event_times.append(when)
             return _memory(self._add(self.of_time, root, holds_at_zero), negated)
-        is_watched = is_inside and self.watches_inner and ex.varies(root)
+        read = ex.leaves(root)
+        varies = ex.varies(root) or not self.inputs.isdisjoint(read)
+        is_watched = varies and ((is_inside and self.watches_inner) or not self.discrete.isdisjoint(read))
         if is_watched or (root, holds_at_zero) in unwatched:
             return _memory(self._add(self.crossings, root, holds_at_zero), negated)
         return None
@@ -189,7 +196,15 @@ def read_relations(
             "relations inside of other relations are supported with noEvent() or without it, not both in one "
             "model; introduce a variable for each inner value"
         )
-    relations = Relations(n_p, literal=literal_comparisons(model), watches_inner=watched)
+    relations = Relations(
+        n_p,
+        literal=literal_comparisons(model),
+        watches_inner=watched,
+        discrete=_discrete_values(model),
+        inputs=_values(
+            model, lambda variable: variable["role"] == "input" and variable["variability"] == "continuous"
+        ),
+    )
     unwatched: set[tuple[Expression, bool]] = set()
     for number, target in enumerate(events["root_relation_memory_targets"]):
         if _is_step_crossing(rows[number]):
@@ -200,6 +215,30 @@ def read_relations(
         else:
             relations.crossings.append(Relation(rows[number], target["P"]["index"], holds_at_zero))
     return relations, frozenset(unwatched)
+
+
+def _discrete_values(model: LoweredModel) -> frozenset[Expression]:
+    watched, literal = comparisons_with_discrete(model)
+    values = (
+        _values(model, lambda variable: variable["role"].startswith("discrete")) if watched else frozenset()
+    )
+    before = {
+        ex.p(binding["dest_p_index"])
+        for binding in model.solve["solve_layout"]["pre_param_bindings"]
+        if ex.leaf(slot_of(binding["source"])) in values
+    }
+    if literal and values:
+        raise model.unsupported(
+            "relations between continuous and discrete variables are supported with noEvent() or without it, "
+            "not both in one model; introduce a continuous variable for the difference"
+        )
+    return values | before
+
+
+def _values(model: LoweredModel, wanted: Callable[[dict[str, Any]], bool]) -> frozenset[Expression]:
+    """Return the values of the variables that are wanted."""
+    names = [name for one in model.dae["variables"] if wanted(one) for name in one["scalar_names"]]
+    return frozenset(ex.leaf(model.slots[name]) for name in names if name in model.slots)
 
 
 def _is_step_crossing(root: Expression) -> bool:

@@ -191,7 +191,8 @@ def checked_outputs(
 
     Raises:
         UnknownVariableError: the FMU has no variable of that name
-        ParameterError: a name is no text; or the variable is a whole array, of a type that has no values, or text
+        ParameterError: a name is no text; or the variable is a whole array, of a type that has no values, or
+            text
     """
     if outputs is None:
         return default_outputs(description, texts=texts)[0]

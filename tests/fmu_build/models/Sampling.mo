@@ -98,6 +98,30 @@ package Sampling "sample(), discrete states and discrete controllers"
     end when;
   end SampleOrState;
 
+  model SampledThreshold "Relations of continuous variables with one that is sampled"
+    Real x(start=0, fixed=true);
+    Real z(start=0, fixed=true) "Time above the threshold";
+    discrete Real d(start=0.3, fixed=true) "Threshold";
+    discrete Boolean late(start=false, fixed=true) "As the sampler sees it";
+    Boolean above;
+    Integer level;
+    Integer n(start=0, fixed=true) "How often it was reached";
+    Boolean any(start=false, fixed=true) "Whether it ever was";
+  equation
+    der(x) = 1;
+    der(z) = if x > d then 1 else 0;
+    above = x > d;
+    level = if x*x >= d*d then 2 else 1;
+    any = pre(any) or x > d;
+    when x > d then
+      n = pre(n) + 1;
+    end when;
+    when sample(0.25, 0.5) then
+      d = pre(d) + 0.4;
+      late = x > d - 0.5;
+    end when;
+  end SampledThreshold;
+
   model Guarded "A sampler that counts only while a relation holds; another when-clause watches the count"
     Real x(start=0, fixed=true);
     discrete Integer n(start=0, fixed=true);

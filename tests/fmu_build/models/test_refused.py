@@ -75,6 +75,10 @@ REFUSALS = (
     Refusal("OwnBase.Model", UnsupportedModelError, r"extends a class of its own"),
     Refusal("ParameterFromTime", UnsupportedModelError, r"`origin` is determined from `time`"),
     Refusal("PresentState", UnsupportedModelError, r"pre\(state\)"),
+    Refusal("ReorderedArguments.Model", UnsupportedModelError, r"the argument b would be taken for another"),
+    Refusal(
+        "ArraysNamedLikeInherited", UnsupportedModelError, r"given for m may be lost, because the array loads"
+    ),
     Refusal("RecordArray", UnsupportedModelError, r"der\(r\[i\]\.a\)"),
     Refusal("SampledElsewhen", UnsupportedModelError, r"sample\("),
     Refusal("SecondDerivative", UnsupportedModelError, r"der\(der\(x\)\)"),

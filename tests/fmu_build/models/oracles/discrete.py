@@ -88,6 +88,30 @@ def sample_or_state(t: Array) -> Values:
     return {"n": count(t, times), "t_last": latest(t, times, 0.0)}
 
 
+def threshold_events(stop: float) -> Array:
+    return np.sort(
+        np.concatenate([ticks(0.25, 0.5)(stop), 0.7 + 0.4 * np.arange(int((stop - 0.7) / 0.4) + 1)])
+    )
+
+
+def sampled_threshold(t: Array) -> Values:
+    """The threshold is 0.3 + 0.4*k after k ticks; x = t is above it from 0.7 + 0.4*j to tick j + 2."""
+    raised = count(t, ticks(0.25, 0.5)(float(t.max())))
+    d = 0.3 + 0.4 * raised
+    j = np.arange(5)
+    inside = np.clip(t[:, np.newaxis] - (0.7 + 0.4 * j), 0, 0.05 + 0.1 * j)
+    above = t > d
+    return {
+        "z": inside.sum(axis=1),
+        "d": d,
+        "late": (raised > 0) & (0.25 + 0.5 * (raised - 1) > d - 0.5),
+        "above": above,
+        "level": 1.0 + above,
+        "n": count(t, 0.7 + 0.4 * j),
+        "any": t > 0.7,
+    }
+
+
 def guarded(t: Array) -> Values:
     n = count(t, np.array([0.5, 0.7, 0.9, 1.1, 1.3]))
     return {"n": n, "changes": n, "t_third": np.where(t > 0.9, 0.9, -1.0)}
@@ -139,6 +163,7 @@ CASES = (
     Case("Sampling.SampledPI", 2.0, sampled_pi, events=ticks(0.1, 0.1)),
     Case("Sampling.TwoRates", 1.0, two_rates, events=ticks(0.1, 0.1)),
     Case("Sampling.PulseTrain", 1.0, pulse_train, events=pulse_events),
+    Case("Sampling.SampledThreshold", 2.0, sampled_threshold, events=threshold_events),
     Case("Sampling.HeldSine", 5.0, held_sine, events=ticks(0.0, 0.25)),
     Case("Sampling.SampledReset", 2.0, sampled_reset, events=ticks(0.25, 0.25)),
     Case("Sampling.SampleOrState", 1.0, sample_or_state, events=at(*SAMPLES_AND_CROSSING)),
