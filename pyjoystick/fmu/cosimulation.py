@@ -96,6 +96,7 @@ class Fmu(Shown):
         if sandbox and own_process is not None:
             raise ParameterError("own_process", own_process, "left out where sandbox is True")
         self.description: FmuDescription = read_description(find_fmu(fmu))
+        self._path = self.description.path.absolute()  # now: the current folder may change
         choice = {"own_process": own_process, "time_limit": time_limit, "sandbox": sandbox}
         self._choice: dict[str, Any] = choice
         self._pool = (
@@ -116,7 +117,7 @@ class Fmu(Shown):
         self._sensitive: Fmu | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return partial(Fmu, **self._choice), (self.description.path.absolute(),)
+        return partial(Fmu, **self._choice), (self._path,)
 
     def __enter__(self) -> Self:
         return self
@@ -249,6 +250,7 @@ class Fmu(Shown):
         inputs: Mapping[str, float] | None = None,
         outputs: Iterable[str] | None = None,
         tolerance: float = DEFAULT_TOLERANCE,
+        step: float | None = None,
     ) -> Linearization:
         """Linearize the FMU at a point of a motion, with the FMU's own derivatives.
 
@@ -258,15 +260,17 @@ class Fmu(Shown):
             inputs: constant inputs by name; others keep the FMU's own values
             outputs: names of real variables, the rows of C and D; by default every continuous output
             tolerance: as in `run`
+            step: longest communication step on the way to the point (s), with which some FMUs integrate; by
+                default that of the FMU's default experiment, or a thousandth of the time
 
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
-            ParameterError: a value is not allowed, or the time is negative
+            ParameterError: a value is not allowed, the time is negative, or the steps are too many
             UnsupportedFmuError: the FMU provides neither directional nor adjoint derivatives, or is in a
                 sandbox
             FmuRunError: the FMU rejects its settings, fails before the point or has no derivatives there
         """
-        arguments = time, _without_none(parameters), _without_none(inputs), outputs, tolerance
+        arguments = time, _without_none(parameters), _without_none(inputs), outputs, tolerance, step
         pool = self._steppable()
         if isinstance(pool, ProcessPool):
             found: Linearization = pool.linearize(*arguments)
@@ -288,7 +292,7 @@ class Fmu(Shown):
         if has_sensitivities(self.description):
             return self
         with self._lock:
-            if self._sensitive is None and (path := counterpart(self.description)) is not None:
+            if self._sensitive is None and (path := counterpart(self.description, self._path)) is not None:
                 self._sensitive = Fmu(path, **self._choice)
             return self._sensitive
 

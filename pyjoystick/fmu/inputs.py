@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final, Union
@@ -26,6 +27,10 @@ ONE_STEP_LENGTH: Final = "{} takes communication steps of one length only, as it
 #: a column a unit, it must be that of the input, and s for the index.
 Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` does not accept forward references
 _INDEX: Final = "index of the inputs"
+#: Words in the name of an index that is no time in s.
+_NOT_SECONDS: Final = re.compile(
+    r"(?<![a-z])(?:[nm\u00b5\u03bcu]s|msec|(?:milli|micro)s(?:econds?)?|min(?:ute)?s?|h(?:ours?)?|samples?|frames?)(?![a-z])"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,10 +129,16 @@ def _require_table(inputs: object) -> None:
 
 def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
     """Reject columns in another unit than their input's, and an index that is not in s."""
-    units = inputs.attrs.get("units", {})
+    units = inputs.attrs.get("units") or {}
+    if not isinstance(units, Mapping):
+        raise ParameterError(
+            'attrs["units"]', type_text(units), "a mapping from names to units"
+        )
     time = inputs.index.name or "time"
     if units.get(time, "s") != "s":
         raise ParameterError(f"unit of {time}", units[time], "s")
+    if found := _NOT_SECONDS.search(str(time).lower()):
+        raise SeriesError(_INDEX, f"is named {time!r}; must be time in s, not {found[0]}")
     for name in inputs.columns:
         wanted = description.variables[name].unit
         if wanted and units.get(name, wanted) != wanted:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, Final
 
 import fmpy
 import numpy as np
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.errors import UnsupportedFmuError
+from pyjoystick.fmu.errors import FmuRunError, UnsupportedFmuError
 from pyjoystick.fmu.inputs import checked_constants
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.values import REALS, Value, checked_outputs, checked_parameters
@@ -19,6 +20,10 @@ from pyjoystick.support import FloatArray, ParameterError, not_negative, positiv
 
 if TYPE_CHECKING:
     import pandas as pd
+
+#: Communication steps to the point, unless a length is known; and how many at most.
+_STEPS: Final = 1000
+_MOST_STEPS: Final = 1_000_000
 
 
 @dataclass(frozen=True)
@@ -67,6 +72,7 @@ def linearize(
     inputs: Mapping[str, float],
     outputs: Iterable[str] | None,
     tolerance: float,
+    step: float | None,
 ) -> Linearization:
     """Implements `Fmu.linearize` on an instance that is not used elsewhere."""
     import pandas as pd  # see `motion.make_table`
@@ -78,17 +84,21 @@ def linearize(
     constants = checked_parameters(description, parameters)
     given = checked_constants(description, inputs)
     recorded = _outputs(description, outputs)
-    rates, states = _rates_and_states(description)
+    points = _communication_points(description, instant, step)
+    rates, states = _rates_and_states(description, instance.fmi.unzipDirectory)
     driven = [
         one for one in description.variables.values() if one.causality == "input" and _is_continuous(one)
     ]
     drives = [part for one in driven for part in one.elements()]
     with instance.reporting(0.0):
         instance.initialize(0.0, positive("tolerance", tolerance), {**constants, **given})
-        if instant > 0.0:
-            instance.step(0.0, instant)
+        for start, end in pairwise(points):
+            instance.step(start, end - start)
         jacobian = _jacobian(instance.fmi, description, [*rates, *recorded], [*states, *drives])
         values = [_value(instance, variable) for variable in (*states, *drives, *recorded)]
+    for row, column in np.argwhere(~np.isfinite(jacobian))[:1]:
+        what = f"the derivative of {[*rates, *recorded][row].name} by {[*states, *drives][column].name}"
+        raise FmuRunError(instant, f"{what} is {jacobian[row, column]}", description.path, ())
     x, u, y = ([variable.name for variable in variables] for variables in (states, drives, recorded))
     n = len(x)
     # An output that is also a state appears once.
@@ -101,6 +111,17 @@ def linearize(
         pd.DataFrame(jacobian[n:, :n], y, x),
         pd.DataFrame(jacobian[n:, n:], y, u),
     )
+
+
+def _communication_points(description: FmuDescription, end: float, step: float | None) -> list[float]:
+    """Equal steps from 0 to `end`, not longer than `step` or that of the FMU's default experiment."""
+    shortest = end / _MOST_STEPS
+    length = description.experiment.step_size if step is None else positive("step", step, "s")
+    if step is not None and step < shortest:
+        raise ParameterError("step", step, f"at least {shortest:g} s, {_MOST_STEPS} steps")
+    usable = length is not None and shortest <= length
+    count = max(1, math.ceil(end / length * (1.0 - 1e-9))) if length and usable else _STEPS
+    return [end * number / count for number in range(count + 1)] if end > 0.0 else []
 
 
 def _is_continuous(variable: Variable) -> bool:
@@ -116,9 +137,9 @@ def _outputs(description: FmuDescription, names: Iterable[str] | None) -> list[V
     return [one for one in outputs if names is not None or _is_continuous(one)]
 
 
-def _rates_and_states(description: FmuDescription) -> tuple[list[Variable], list[Variable]]:
-    """Derivatives of the states, and the states, by element."""
-    model = fmpy.read_model_description(str(description.path), validate=False)
+def _rates_and_states(description: FmuDescription, unpacked: str) -> tuple[list[Variable], list[Variable]]:
+    """Derivatives of the states, and the states, by element, from the folder of the unpacked FMU."""
+    model = fmpy.read_model_description(unpacked, validate=False)
     rates: list[Variable] = []
     states: list[Variable] = []
     for unknown in model.derivatives:

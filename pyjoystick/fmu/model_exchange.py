@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
@@ -21,7 +22,7 @@ from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.library import FmuLibrary
 from pyjoystick.fmu.own_process.pool import is_apart, run_apart
-from pyjoystick.fmu.values import INTEGERS, Value, checked_outputs, checked_parameters
+from pyjoystick.fmu.values import INTEGERS, REALS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
 from pyjoystick.support import ParameterError, SimulationError, increasing_times, positive
 
@@ -30,6 +31,13 @@ if TYPE_CHECKING:
 
 #: Largest rounding error of a time, relative to a step, with which FMPy's loop takes every step.
 _ROUNDED: Final = 2e-8
+#: FMPy lets CVode take at most 500 steps from one output to the next, so a run has at least so many outputs.
+_FEWEST_OUTPUTS: Final = 200
+#: Where a table of inputs has more kinks than this, only those after a pause are events: FMPy's loop searches
+#: all of them in every step, and CVode's error control sees the others.
+_MOST_KINKS: Final = 5000
+#: A pause is so many times as long as the usual time between two kinks.
+_PAUSE: Final = 5.0
 
 
 def run_model_exchange(
@@ -73,8 +81,10 @@ def run_model_exchange(
         allowed = f"nearer to 0 for Model Exchange in steps of {interval:g} s"
         raise ParameterError("time", f"up to {farthest:.9g} s", allowed)
     grid = instants[0] + interval * np.arange(len(instants))
-    if np.max(np.abs(grid - instants)) > 1e-9 * interval:
+    if np.max(np.abs(grid - instants)) > 1e-9 * interval + 2.0 * np.spacing(farthest):
         raise ParameterError("time", "unequal steps", "equally spaced for Model Exchange")
+    parts = math.ceil(_FEWEST_OUTPUTS / (len(instants) - 1))
+    parts = parts if np.spacing(farthest) <= _ROUNDED * interval / parts else 1
     description = read_description(find_fmu(fmu))
     values = checked_parameters(description, {} if parameters is None else parameters)
     table = checked_inputs(description, {} if inputs is None else inputs)
@@ -91,7 +101,7 @@ def run_model_exchange(
         stack.callback(instance.free)
         folder = str(library.folder)
         model_description = fmpy.read_model_description(folder, validate=False)
-        signals = input_signals(description, table) if table.columns else None
+        signals = input_signals(description, table, float(instants[0])) if table.columns else None
         if signals is not None:
             apply_inputs_with_time(instance.fmi, model_description, signals)
         rows = _simulate(
@@ -103,13 +113,13 @@ def run_model_exchange(
             solver="CVode",
             start_time=float(instants[0]),
             stop_time=float(instants[-1]),
-            output_interval=interval,
+            output_interval=interval / parts,
             record_events=False,
             relative_tolerance=positive("tolerance", tolerance),
             start_values=dict(values),
             input=signals,
             output=list(dict.fromkeys(variable.whole for variable in recorded)),
-        )
+        )[::parts]
     columns = {variable.name: _column(rows, variable) for variable in recorded}
     quantities = [variable.quantity for variable in recorded]
     if len(rows) != len(instants):
@@ -133,6 +143,10 @@ def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
         raise FmuRunError(reached[0], error.reason, error.path, error.messages) from error
     except RuntimeError as error:  # from FMPy if CVode fails; begins with a source file of CVode
         raise SimulationError(reached[0], f"CVode: {str(error).rpartition('.c: ')[2]}") from error
+    except Exception as error:
+        if type(error) is Exception:  # from FMPy, such as for a nominal value below zero
+            raise SimulationError(reached[0], f"FMPy: {error}") from error
+        raise
 
 
 def _column(rows: Any, variable: Variable) -> NDArray[Any]:
@@ -143,8 +157,16 @@ def _column(rows: Any, variable: Variable) -> NDArray[Any]:
     return column
 
 
-def input_signals(description: FmuDescription, table: InputTable) -> NDArray[Any]:
+def input_signals(description: FmuDescription, table: InputTable, start: float) -> NDArray[Any]:
     """All inputs over time as FMPy needs them; those missing in the table keep their start values.
+
+    Two rows with the same time are an event to FMPy, at which CVode starts anew. Rows at which an input has a
+    kink are therefore given twice: otherwise CVode can step over a short pulse, as long as nothing moves.
+
+    Args:
+        description: of the FMU
+        table: the inputs
+        start: the time at which the run starts (s); of rows at this time, only the last counts
 
     Raises:
         ParameterError: an input of the table is text
@@ -162,11 +184,33 @@ def input_signals(description: FmuDescription, table: InputTable) -> NDArray[Any
             for one in variables
         ),
     ]
-    signals = np.empty(len(table.time), dtype=types)
-    signals["time"] = table.time
+    rows = _rows(description, table, start)
+    signals = np.empty(len(rows), dtype=types)
+    signals["time"] = table.time[rows]
     for one in variables:
-        signals[one.name] = table.columns[one.name] if one.name in table.columns else _start(one)
+        signals[one.name] = table.columns[one.name][rows] if one.name in table.columns else _start(one)
     return signals
+
+
+def _rows(description: FmuDescription, table: InputTable, start: float) -> NDArray[np.intp]:
+    """The rows that FMPy needs, with kinks twice."""
+    time = table.time
+    first = int(np.searchsorted(time, start, side="right")) - 1
+    rows = np.arange(first if first >= 0 and time[first] == start else 0, len(time))
+    if len(rows) == 1:
+        return np.repeat(rows, 2)  # FMPy does not take a single one
+    steps = np.diff(time[rows])
+    kinks = np.zeros(len(rows), dtype=bool)
+    for name, column in table.columns.items():
+        if description.variables[name].type in REALS:
+            rises = np.diff(column[rows].astype(np.float64))
+            slopes = np.divide(rises, steps, out=np.zeros_like(rises), where=steps > 0.0)
+            changes = np.abs(np.diff(slopes, prepend=0.0, append=0.0))
+            kinks |= changes > 1e-9 * np.abs(slopes).max()
+    if np.count_nonzero(kinks) > _MOST_KINKS:
+        pauses = np.diff(time[rows][kinks], prepend=-np.inf)
+        kinks[kinks] = pauses > _PAUSE * np.median(pauses[1:])
+    return np.repeat(rows, np.where(kinks, 2, 1))
 
 
 def _start(variable: Variable) -> float | bool:

@@ -26,13 +26,13 @@ def has_sensitivities(description: FmuDescription) -> bool:
     return any(name.startswith(_PREFIX) for name in description.variables)
 
 
-def counterpart(description: FmuDescription) -> Path | None:
-    """Find the FMU of the same model with sensitivities, next to this one.
+def counterpart(description: FmuDescription, place: Path) -> Path | None:
+    """Find the FMU of the same model with sensitivities, next to this one at `place`.
 
     Raises:
         UnsupportedFmuError: there is one of that name, but of another model or with other start values
     """
-    path = description.path.parent / FOLDER / description.path.name
+    path = place.parent / FOLDER / place.name
     if not path.is_file():
         return None
     other = read_description(path)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pyjoystick.fmu.description import Variable
 from pyjoystick.fmu.values import EXACT, INTEGERS, allowed_values, limits, stored_type
-from pyjoystick.support import ParameterError, type_text
+from pyjoystick.support import ParameterError, type_text, without_mask
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -100,8 +100,13 @@ class Varied:
         numbers: NDArray[Any] | None = None
         with suppress(TypeError, ValueError):
             given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
-            if isinstance(given, np.ndarray) and given.dtype.kind in "cmM":
+            if isinstance(given, np.ma.MaskedArray):
+                given = without_mask(given)
+            kind = np.asarray(given).dtype.kind
+            if kind in "cmM":
                 raise TypeError("complex numbers, dates and durations would lose a part or their unit")
+            if kind == "b" and any(one.type != "Boolean" for one in self.variables):
+                raise TypeError("Booleans are no numbers")
             numbers = np.ascontiguousarray(given, dtype=self._type)
         if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
             raise ParameterError("values", type_text(values), "made of numbers in rows")

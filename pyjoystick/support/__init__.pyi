@@ -14,6 +14,7 @@ from .checks import (
     real_numbers as real_numbers,
     type_text as type_text,
     whole_number as whole_number,
+    without_mask as without_mask,
 )
 from .errors import (
     InputFileError as InputFileError,

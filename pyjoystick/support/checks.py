@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from contextlib import suppress
 from numbers import Integral, Real
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -88,14 +88,21 @@ def angle(field: str, value: object) -> float:
     return number
 
 
+def without_mask(values: ArrayLike) -> NDArray[Any]:
+    """`values` as an array, with NaN in place of what is masked in a masked array."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values):
+        return np.where(np.ma.getmaskarray(values), np.nan, np.ma.getdata(values).astype(np.float64))
+    return np.asarray(values)
+
+
 def real_numbers(values: ArrayLike) -> FloatArray:
-    """`values` as a new array of floats.
+    """`values` as a new array of floats, NaN where they are masked.
 
     Raises:
         TypeError, ValueError: they are no real numbers, such as durations, whose unit would be lost, complex
             numbers or text
     """
-    given = np.asarray(values)
+    given = without_mask(values)
     if given.dtype.kind not in "fiubO" or any(isinstance(one, complex) for one in given.flat[:1]):
         raise TypeError(f"{given.dtype} is no type of real numbers")
     try:

@@ -33,6 +33,16 @@ def filtered() -> pd.DataFrame:
     return rows[rows["T"].isin([0.0, 5.0])]
 
 
+def named(name: str) -> pd.DataFrame:
+    return pd.DataFrame({"T": [0.0, 2.0]}, index=pd.Index([0.0, 500.0], name=name))
+
+
+def with_units(units: Any) -> pd.DataFrame:
+    table = named("time (s)")
+    table.attrs["units"] = units
+    return table
+
+
 def in_milliseconds(name: str | None) -> pd.DataFrame:
     table = pd.DataFrame({"T": [1.0, 2.0]}, index=pd.Index([0.0, 1000.0], name=name))
     table.attrs["units"] = {name or "time": "ms"}
@@ -143,6 +153,14 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
             r"is a PeriodIndex; .*: index = index\.to_timestamp\(\), then \(index - index\[0\]\)\.total_s",
         ),
         (in_milliseconds("time"), ParameterError, "unit of time = ms: must be s"),
+        (named("time (ms)"), SeriesError, r"is named 'time \(ms\)'; must be time in s, not ms"),
+        (named("t_us"), SeriesError, "is named 't_us'; must be time in s, not us"),
+        (named("Frame"), SeriesError, "is named 'Frame'; must be time in s, not frame"),
+        (
+            with_units(["N.m"]),
+            ParameterError,
+            r'attrs\["units"\] = an object of type list: must be a mapping',
+        ),
         (in_milliseconds("instant"), ParameterError, "unit of instant = ms: must be s"),
         (in_milliseconds(None), ParameterError, "unit of time = ms: must be s"),
         (in_millinewton_metres(), ParameterError, r"unit of T = mN\.m: must be N\.m"),

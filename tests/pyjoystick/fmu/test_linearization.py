@@ -11,6 +11,7 @@ import pytest
 from scipy.linalg import expm
 
 from pyjoystick.fmu import Fmu, Linearization, UnsupportedFmuError
+from pyjoystick.fmu.instance import Instance
 from pyjoystick.model import NOMINAL
 from pyjoystick.support import ParameterError, UnknownInputError
 from tests.joystick_fmu.analytic import jacobian
@@ -83,7 +84,26 @@ def test_a_small_motion_is_that_of_the_linear_system(joystick: Fmu) -> None:
     assert 0.0 < pair["damping"].iloc[0] < 1.0
 
 
+@pytest.mark.parametrize(("step", "count"), [(None, 500), (0.1, 5), (0.3, 2), (2.0, 1)])
+def test_the_point_is_reached_in_communication_steps(
+    joystick: Fmu, monkeypatch: pytest.MonkeyPatch, step: float | None, count: int
+) -> None:
+    """Some FMUs integrate with them; by default, those of the FMU's default experiment."""
+    taken = []
+
+    def advance(instance: Instance, time: float, length: float) -> None:
+        taken.append((time, length))
+
+    monkeypatch.setattr(Instance, "step", advance)
+    joystick.linearize(0.5, step=step)
+    starts, lengths = np.array(taken).T
+    np.testing.assert_allclose(lengths, 0.5 / count)
+    np.testing.assert_allclose(starts, np.arange(count) * 0.5 / count)
+
+
 def test_what_is_refused(joystick: Fmu) -> None:
+    with pytest.raises(ParameterError, match=r"step = 1e-09: must be at least 1e-06 s, 1000000 steps"):
+        joystick.linearize(1.0, step=1e-9)
     with pytest.raises(ParameterError, match="time"):
         joystick.linearize(-0.1)
     with pytest.raises(UnknownInputError, match="torque"):

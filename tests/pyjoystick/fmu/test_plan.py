@@ -236,6 +236,28 @@ def test_a_pickled_fmu_opens_its_file_again(joystick_path: Path, tmp_path: Path)
         pickle.loads(pickled)
 
 
+def test_a_pickled_fmu_is_the_one_that_was_opened(
+    joystick_path: Path, mixed_path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Not another of the same name in what has become the current folder."""
+    for folder, file in (("here", joystick_path), ("there", mixed_path)):
+        (tmp_path / folder).mkdir()
+        doctored(file, tmp_path / folder / "one.fmu")
+    monkeypatch.chdir(tmp_path / "here")
+    with Fmu("one.fmu") as fmu:
+        monkeypatch.chdir(tmp_path / "there")
+        with pickle.loads(pickle.dumps(fmu)) as again:
+            assert again.description.model_name == fmu.description.model_name
+
+
+def test_booleans_are_no_angles_and_masked_values_are_missing(joystick: Fmu) -> None:
+    plan = joystick.plan(TIME, varied="theta_start", outputs=OUTPUTS)
+    with pytest.raises(ParameterError, match="must be made of numbers in rows"):
+        plan.run_batch([[True]])
+    with pytest.raises(ParameterError, match=r"theta_start\[1\] = nan"):
+        plan.run_batch(np.ma.masked_array([[0.1], [0.2]], mask=[[False], [True]]))
+
+
 def test_a_plan_keeps_its_fmu_open(joystick_path: Path) -> None:
     plan = Fmu(joystick_path).plan(TIME, varied="theta_start")
     assert plan.run([0.1]).shape == (101, 10)

@@ -64,8 +64,18 @@ def test_whole_numbers_become_integers() -> None:
         np.array([0.0, 0.1 + 5.0j]),
         [0.0, 1.0j],
         ["0", "1"],
+        [0, 10**400],
     ],
 )
 def test_times_are_real_numbers(time: Any) -> None:
     with pytest.raises(ParameterError, match=r"^time = an object of type .*: must be an array of numbers"):
         checks.increasing_times(time)
+
+
+def test_masked_values_are_missing() -> None:
+    masked = np.ma.masked_array([0.0, 1.0, 2.0], mask=[False, True, False])
+    np.testing.assert_array_equal(checks.real_numbers(masked), [0.0, np.nan, 2.0])
+    with pytest.raises(ParameterError, match=r"^time\[1\] = nan"):
+        checks.increasing_times(masked)
+    whole = np.ma.masked_array([1, 2], mask=False)
+    np.testing.assert_array_equal(checks.real_numbers(whole), [1.0, 2.0])
