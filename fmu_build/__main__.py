@@ -16,7 +16,7 @@ from rich.markup import escape
 from fmu_build import BuildError, FmiVersion, build_fmu, compiler_names
 from fmu_build.explore import command as explore
 from fmu_build.packaging.platforms import ALL, PLATFORM_NAMES, select_platforms
-from fmu_build.support.plain_help import PlainCommand
+from fmu_build.support.plain_help import PlainCommand, ignore_impossible_width
 from fmu_build.support.request import SensitivityRequest
 
 _EXAMPLE = """
@@ -30,6 +30,7 @@ _FMI_VERSIONS: dict[str, FmiVersion] = {"2": "2.0", "3": "3.0", "2.0": "2.0", "3
 #: Exit codes after Ctrl-C and after SIGTERM, as of a program that the signal ended.
 _INTERRUPTED = 130
 _TERMINATED = 143
+ignore_impossible_width()  # which consoles read
 _messages = Console(stderr=True, highlight=False, soft_wrap=True)
 
 

@@ -1,11 +1,23 @@
-"""Command-line help that shows no Python types."""
+"""Command-line help that shows no Python types, and output that fits a width of terminals."""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
-from typing import Any
+from typing import Any, Final
 
 from typer.core import TyperArgument, TyperCommand, TyperGroup
+
+
+#: Terminals are not narrower; rich prints nothing, or parts of it, into a width of a few letters.
+_NARROWEST: Final = 20
+
+
+def ignore_impossible_width() -> None:
+    """Forget a width of the terminal in the environment, COLUMNS, that no terminal has."""
+    width = os.environ.get("COLUMNS", "")
+    if width.isdigit() and int(width) < _NARROWEST:
+        del os.environ["COLUMNS"]
 
 
 class PlainCommand(TyperCommand):

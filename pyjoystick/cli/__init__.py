@@ -17,7 +17,7 @@ from typing import Annotated, Any, Final
 import typer
 from typer.core import TyperCommand
 
-from fmu_build.support.plain_help import PlainCommand, PlainGroup
+from fmu_build.support.plain_help import PlainCommand, PlainGroup, ignore_impossible_width
 from pyjoystick import support
 from pyjoystick.cli.console import compilation_announced, print_error, print_traceback
 from pyjoystick.cli.invocation import invocation
@@ -142,6 +142,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: without the program name; by default those of this process
     """
     invocation.begin()
+    ignore_impossible_width()
     try:
         Path.cwd()
     except OSError as error:

@@ -12,6 +12,7 @@ from pyjoystick.cli.console import output
 from pyjoystick.motion import Difference
 from pyjoystick.runs import RunComparison
 from pyjoystick.support import TextTable
+from tests.pyjoystick.cli.conftest import Command
 
 _NAME = "assembly.returnSpring.a_variable_with_a_long_name"
 
@@ -72,3 +73,15 @@ def test_a_report_is_as_it_is_where_there_is_room(capsys: pytest.CaptureFixture[
     markdown = TextTable(["name", "value"], [["a", "1"]]).markdown()
     output().print(markdown)
     assert capsys.readouterr().out == f"{markdown}\n"
+
+
+@pytest.mark.parametrize("width", ["0", "7"])
+def test_a_width_that_no_terminal_has_hides_nothing(
+    width: str, command: Command, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("COLUMNS", raising=False)
+    expected = command("parameters").out
+    monkeypatch.setenv("COLUMNS", width)
+    assert command("parameters").out == expected
+    monkeypatch.setenv("COLUMNS", width)
+    assert "there is no parameter 'nope'" in command("free-oscillation", "--set", "nope=1").err
