@@ -8,7 +8,6 @@ from typing import Any, Final
 
 from typer.core import TyperArgument, TyperCommand, TyperGroup
 
-
 #: Terminals are not narrower; rich prints nothing, or parts of it, into a width of a few letters.
 _NARROWEST: Final = 20
 

@@ -34,7 +34,7 @@ class Variable:
     `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`, with large integers
     exact; `initial` is ``exact``, ``approx`` or ``calculated``. `shape` is that of the array (FMI 3), also
     for its elements; `element` is the element's index, from 0. `is_fmi3` determines the width of an
-    enumeration.
+    enumeration; `items` are its values, if they are declared.
     """
 
     name: str
@@ -54,6 +54,7 @@ class Variable:
     shape: tuple[int, ...] = ()
     element: int | None = None
     is_fmi3: bool = False
+    items: tuple[int, ...] = ()
 
     @property
     def settable_at_start(self) -> bool:

@@ -165,6 +165,8 @@ def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variabl
         return getattr(variable.declaredType, name, None) if own is None else own
 
     unit = attribute("unit") or ""
+    items = tuple(int(str(item.value)) for item in getattr(variable.declaredType, "items", None) or ())
+    ends = (min(items), max(items)) if items else (None, None)
     return Variable(
         name=variable.name,
         type=variable.type,
@@ -176,12 +178,13 @@ def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variabl
         unit=unit,
         display_unit=_display_unit(units.get(unit), attribute("displayUnit")),
         start=variable.start,
-        minimum=_bound(attribute("min")),
-        maximum=_bound(attribute("max")),
+        minimum=_bound(attribute("min") or ends[0]),
+        maximum=_bound(attribute("max") or ends[1]),
         is_array=bool(variable.dimensions),
         nominal=abs(_number(attribute("nominal")) or 1.0),
         shape=tuple(variable.shape or ()),
         is_fmi3=is_fmi3,
+        items=items,
     )
 
 

@@ -131,9 +131,7 @@ def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
     """Reject columns in another unit than their input's, and an index that is not in s."""
     units = inputs.attrs.get("units") or {}
     if not isinstance(units, Mapping):
-        raise ParameterError(
-            'attrs["units"]', type_text(units), "a mapping from names to units"
-        )
+        raise ParameterError('attrs["units"]', type_text(units), "a mapping from names to units")
     time = inputs.index.name or "time"
     if units.get(time, "s") != "s":
         raise ParameterError(f"unit of {time}", units[time], "s")

@@ -103,6 +103,8 @@ def checked_value(variable: Variable, value: object) -> Value:
     if not low <= number <= high:
         hint = f"its type is {variable.type}" if variable.type in (*INTEGERS, "Float32") else ""
         raise ParameterError(variable.name, value, allowed_values(variable), hint)
+    if variable.items and number not in variable.items:
+        raise ParameterError(variable.name, value, f"one of {', '.join(map(str, variable.items))}")
     return number if variable.type in INTEGERS else float(number)
 
 

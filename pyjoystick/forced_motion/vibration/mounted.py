@@ -110,7 +110,9 @@ class MountedHandle:
             raise ParameterError("held", held, allowed)
         self.fmu = fmu
         self.joystick = joystick if hand is None else hand.on(joystick)
-        self.direction = direction
+        if direction not in tuple(Direction):
+            raise ParameterError("direction", direction, f"one of {', '.join(Direction)}")
+        self.direction = direction = Direction(direction)
         if direction is Direction.VERTICAL and held == 0.0:
             allowed = "other than 0: a base that goes up and down does not move an upright handle"
             raise ParameterError("held", held, allowed)

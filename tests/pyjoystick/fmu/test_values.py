@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pyjoystick.fmu import Fmu, FmuRunError, Variable, checked_value
+from pyjoystick.fmu import Fmu, FmuRunError, Variable, checked_value, read_description
 from pyjoystick.fmu.values import allowed_values
 from pyjoystick.support import ParameterError, UnknownParameterError, UnknownVariableError
+from tests.pyjoystick.fmu.doctored import doctored
 
 TIME = (0.0, 0.1)
 
@@ -134,3 +136,24 @@ def test_the_ends_of_a_range_belong_to_it(
     for value in outside:
         with pytest.raises(ParameterError, match=words):
             checked_value(ranged, value)
+
+
+def test_values_of_an_enumeration_are_its_items(joystick_path: Path, tmp_path: Path) -> None:
+    def with_items(description: str) -> str:
+        items = '<Item name="slow" value="3"/><Item name="fast" value="7"/>'
+        gears = f'<SimpleType name="Gear"><Enumeration>{items}</Enumeration></SimpleType>'
+        gear = (
+            '<ScalarVariable name="gear" valueReference="99" causality="parameter" variability="fixed" '
+            'initial="exact"><Enumeration declaredType="Gear" start="3"/></ScalarVariable>'
+        )
+        description = description.replace("<ModelVariables>", f"<ModelVariables>{gear}", 1)
+        units, end, rest = description.partition("</UnitDefinitions>")
+        return f"{units}{end}<TypeDefinitions>{gears}</TypeDefinitions>{rest}"
+
+    path = doctored(joystick_path, tmp_path / "gears.fmu", description=with_items)
+    gear = read_description(path).variables["gear"]
+    assert (gear.items, gear.minimum, gear.maximum) == ((3, 7), 3, 7)
+    assert checked_value(gear, 7) == 7
+    for value, message in ((0, "must be an integer from 3 to 7"), (5, "must be one of 3, 7")):
+        with pytest.raises(ParameterError, match=message):
+            checked_value(gear, value)

@@ -12,6 +12,8 @@ from pyjoystick.support import FloatArray
 
 #: Size of trial moments (N m): small, so that the motion responds linearly; 1e-3 is too large.
 _MOMENT: Final = 2e-5
+#: Change of the time base: small for the same reason, and far above the error of a run.
+_TIME_BASE: Final = 1e-5
 #: Time step of the fine grid (s), and the largest number of steps.
 _STEP: Final = 1e-3
 _MOST_STEPS: Final = 20_000
@@ -77,6 +79,15 @@ class FittedMotion:
     def with_parameter(self, name: str, change: float) -> FloatArray:
         """Derivative of the record by an FMU parameter, from a difference of this size; shape (n,)."""
         return self._changed(moved=(name, change)) / change
+
+    def with_time_base(self) -> FloatArray:
+        """Derivative of the record by the time base of its clock, on which its inputs are too; shape (n,)."""
+        slower = self.instrument._replace(time_base=self.instrument.time_base + _TIME_BASE)
+        outputs = self.predictor.outputs
+        found = self.predictor.motion.variables(
+            self.row, outputs, self.predictor.motion.plan(slower, self._late, outputs)
+        )
+        return self.shown(found - self._values[:, : len(outputs)]) / _TIME_BASE
 
     def _changed(
         self, added: tuple[str, FloatArray] | None = None, moved: tuple[str, float] | None = None

@@ -56,6 +56,12 @@ def instruments(problem: Problem, x: FloatArray, motions: Sequence[FittedMotion]
             lambda s: f"{100.0 * s[0]:+.2g} %",
             free=(Free(TIME_BASE),),
         )
+    elif TIME_BASE not in fitted and motions[0].predictor.inputs:
+        yield Suspect(
+            "an error of the time base",
+            each(motions, lambda one: one.with_time_base()),
+            lambda s: f"{100.0 * s[0]:+.2g} %",
+        )
     if DELAY not in fitted and motions[0].predictor.inputs and all(DELAY in one for one in slopes):
         yield Suspect("a delay between the channels", columns(DELAY), lambda s: f"{1e3 * s[0]:.3g} ms")
     yield from _filters(motions)

@@ -172,6 +172,9 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
             columns(["J"]),
             lambda s: f"J {100.0 * s[0] / inertia:+.2g} %",
         )
+    if free("m") and "M_g" in predictor.motion.known:
+        mass = predictor.motion.value("m")
+        yield Suspect("another mass", columns(["m"]), lambda s: f"m {100.0 * s[0] / mass:+.2g} %")
     springs = [name for name in _SPRINGS if free(name)]
     if springs:
         values = np.array([predictor.motion.value(name) for name in springs])

@@ -158,6 +158,12 @@ def test_what_cannot_be_right_is_refused(mounted: Fmu, joystick_fmus: Path) -> N
         MountedHandle(mounted, NOMINAL, 0.0, Hand(), direction=Direction.VERTICAL)
     with pytest.raises(ParameterError, match=r"at most 62\.01 rad/s2 at 1 Hz"):
         MountedHandle(mounted, NOMINAL, HELD, direction=Direction.PITCH).driven([1.0], 63.0)
+    with pytest.raises(
+        ParameterError, match="direction = sideways: must be one of horizontal, vertical, pitch"
+    ):
+        MountedHandle(mounted, NOMINAL, HELD, direction="sideways")  # type: ignore[arg-type]
+    named = MountedHandle(mounted, NOMINAL, HELD, direction="pitch")  # type: ignore[arg-type]
+    assert named.direction is Direction.PITCH
     with pytest.raises(ParameterError, match="stiffness"):
         Hand(stiffness=-1.0)
 

@@ -12,7 +12,15 @@ import pytest
 from scipy.signal import butter, sosfiltfilt
 
 from pyjoystick.fmu import Fmu, find_fmu
-from pyjoystick.identification import CONSTANT_DAMPING, Uncertainty, fit, scaled_forces
+from pyjoystick.identification import (
+    CONSTANT_DAMPING,
+    Measurement,
+    Uncertainty,
+    driven,
+    fit,
+    read_records,
+    scaled_forces,
+)
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.checks.suspect import beyond
@@ -24,6 +32,7 @@ from pyjoystick.model import NOMINAL, JoystickParameters, PowerLawDamping, simul
 from pyjoystick.motion import Record
 from pyjoystick.support import FloatArray
 
+DRIVEN = Path(__file__).parents[5] / "scenarios" / "data" / "synthetic_driven_1.csv"
 RATE = 120.0
 RELEASE = 0.1037
 ANGLES = tuple(math.radians(one) for one in (-20.0, -12.0, 15.0))
@@ -157,6 +166,7 @@ _CLIPPED = -0.75 * math.radians(20.0)
             "a damping coefficient that depends on the angle, its side or the speed otherwise",
             "",
         ),
+        (lambda: _other(m=1.01 * NOMINAL.m), "another mass", "m +1 %"),
         (lambda: _records(NOMINAL, clock=1.0002), "an error of the time base", "+0.02 %"),
         (
             lambda: _records(NOMINAL, omega=0.5),
@@ -182,6 +192,25 @@ def test_the_cause_is_named_with_its_size(
     assert found.explained > 0.9
     assert found.explained >= best - 1e-3
     assert found in significant(findings, 1e-6)
+
+
+@pytest.mark.parametrize("is_known", [True, False])
+def test_the_clock_of_a_driven_record(fmus_by_name: Path, is_known: bool) -> None:
+    """A clock that is off is named if J is known; J, C and the delay together imitate it exactly."""
+    settings = driven(CONSTANT_DAMPING)
+    if is_known:
+        settings = dataclasses.replace(settings, free=tuple(one for one in settings.free if one.name != "J"))
+    with Fmu(find_fmu("Joystick")) as fmu:
+        (record,) = read_records([DRIVEN], settings, fmu.description)
+        assert isinstance(record, Measurement)
+        late = Measurement(record.name, 1.002 * record.time, record.columns)
+        found = fit([late], settings, fmu=fmu)
+    (check,) = (one for one in found.checks if one.name == "missing physics")
+    assert check.passed is not is_known
+    assert ("could make up for an error of the time base" in check.message) is not is_known
+    assert ("an error of the time base (-0.2" in check.message) is is_known
+    if not is_known:
+        assert found.value("J") == pytest.approx(1.002**2 * NOMINAL.J, rel=1e-4)
 
 
 def test_what_shows_too_much_is_not_clipped(fmus_by_name: Path) -> None:
