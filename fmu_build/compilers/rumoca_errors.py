@@ -70,6 +70,11 @@ def translated_errors(model: str, file: Path, files: Iterable[Path]) -> Iterator
         yield
     except BuildError:
         raise
+    except RecursionError as error:
+        raise UnsupportedModelError(
+            f"{file}: an expression of {model} is nested too deep, such as a sum of several hundred terms; "
+            "use sum(), or variables for its parts"
+        ) from error
     except (rumoca.RumocaError, RuntimeError) as error:
         raise _translated(str(error).replace(IN_MEMORY, ""), model, file, files) from error
     except BaseException as error:

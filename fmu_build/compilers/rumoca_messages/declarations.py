@@ -230,6 +230,12 @@ DECLARATIONS = (
         (r"\bin\s+[\w.+*/() -]*:[\w.+*/ -]*",),
     ),
     Meaning(
+        r"range start`?: the canonical compact range requires an integer literal",
+        UnsupportedModelError,
+        "a loop that sets elements of an array starts at a number; write for i in 1:n, with an if inside",
+        (r"\bfor\s+\w+\s+in\s+(?!\d+\s*:)[^:;]*:", r"\bfor\s+\w+\s+in\s+\w+\s*:[^:;]*:"),
+    ),
+    Meaning(
         r"for-equation range must be a constant range|array comprehension domain|range st(?:ep|art)",
         UnsupportedModelError,
         "ranges have whole numbers, as 1:n; iterators over arrays and enumerations are not supported",

@@ -175,6 +175,20 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:3: this subscript in connect() is not supported; write numbers, a range of numbers",
     ),
+    "a sum of very many terms": Case(
+        "Real x;",
+        f"x = {' + '.join(f'{i}*sin({i}*time)' for i in range(600))};",
+        UnsupportedModelError,
+        "M.mo: an expression of M is nested too deep, such as a sum of several hundred terms; use sum()",
+    ),
+    "a loop of a function that starts at a variable": Case(
+        "function f input Real A[:, :]; output Real x; protected Real B[size(A, 1), size(A, 2)]; "
+        "algorithm B := A; for k in 1:1 loop for i in k + 1:2 loop B[i, k] := B[i, k]/B[k, k]; end for; end for; x := B[2, 1]; "
+        "end f; Real y;",
+        "y = f({{4 + time, 1}, {1, 3}});",
+        UnsupportedModelError,
+        "a loop that sets elements of an array starts at a number; write for i in 1:n",
+    ),
     "a capacitance of zero": Case(
         "parameter Real C = 0; Real v(start = 1, fixed = true), u(start = 2, fixed = true); Real i;",
         "i = C*(der(v) - der(u)); i = -v; der(u) = i - u;",
