@@ -305,37 +305,23 @@ COLD static bool is_finite(const double *values)
     return true;
 }
 
-/* Returns the first slope of the stages 2 to 7 that is not finite; NULL if there is none. */
-COLD static const double *stages_find_failure(Integrator *integrator, double h)
+/* Evaluates one stage of a step of size h, or its start as stage 1; returns whether its slope is finite. */
+COLD static bool stage_succeeds(Integrator *integrator, size_t number, double h)
 {
-    const double end = integrator->record.time + h;
-    const double *slope = slope_of(integrator, 2);
-    if (!stage(integrator, 2, h, end) || !is_finite(slope))
-        return slope;
-    if (!stage(integrator, 3, h, end) || !is_finite(slope += model.n_states))
-        return slope;
-    if (!stage(integrator, 4, h, end) || !is_finite(slope += model.n_states))
-        return slope;
-    if (!stage(integrator, 5, h, end) || !is_finite(slope += model.n_states))
-        return slope;
-    if (!stage(integrator, 6, h, end) || !is_finite(slope += model.n_states))
-        return slope;
-    return !stage(integrator, 7, h, end) || !is_finite(slope += model.n_states) ? slope : NULL;
+    double *slope = slope_of(integrator, number);
+    if (number == 1)
+        memcpy(integrator->argument, states_of(integrator), model.n_states * sizeof(double));
+    else
+        combine(integrator->arrays, h, weights[number - 2], number - 1, integrator->argument);
+    return evaluate(integrator, integrator->record.time + h, STEP_ELSEWHERE, slope) && is_finite(slope);
 }
 
 COLD const double *integrator_find_failure(Integrator *integrator)
 {
-    if (model.n_states == 0)
-        return NULL;
-    double *slope = slope_of(integrator, 1);
-    memcpy(integrator->argument, states_of(integrator), model.n_states * sizeof(double));
-    if (!evaluate(integrator, integrator->record.time, STEP_START, slope) || !is_finite(slope))
-        return slope;
     /* The shortest step that fails leaves fewest variables that are not finite only because others are not. */
-    for (double h = shortest_step(&integrator->record); h < 1.0; h *= 10.0) {
-        const double *failed = stages_find_failure(integrator, h);
-        if (failed != NULL)
-            return failed;
-    }
+    for (double h = shortest_step(&integrator->record); model.n_states > 0 && h < 1.0; h *= 10.0)
+        for (size_t number = 1; number <= STAGES; ++number)
+            if (!stage_succeeds(integrator, number, number > 1 ? h : 0.0))
+                return slope_of(integrator, number);
     return NULL;
 }

@@ -183,7 +183,8 @@ _CASES = {
     ),
     "a loop of a function that starts at a variable": Case(
         "function f input Real A[:, :]; output Real x; protected Real B[size(A, 1), size(A, 2)]; "
-        "algorithm B := A; for k in 1:1 loop for i in k + 1:2 loop B[i, k] := B[i, k]/B[k, k]; end for; end for; "
+        "algorithm B := A; "
+        "for k in 1:1 loop for i in k + 1:2 loop B[i, k] := B[i, k]/B[k, k]; end for; end for; "
         "x := B[2, 1]; end f; Real y;",
         "y = f({{4 + time, 1}, {1, 3}});",
         UnsupportedModelError,
