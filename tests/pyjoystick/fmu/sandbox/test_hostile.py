@@ -5,7 +5,6 @@ from __future__ import annotations
 import _thread
 import threading
 import time
-from collections.abc import Iterator
 
 import pytest
 
@@ -117,19 +116,11 @@ def test_a_batch_of_endless_loops_can_be_stopped(smuggle: Smuggle) -> None:
         assert not batch.done.any()
 
 
-@pytest.fixture
-def interrupting() -> Iterator[None]:
-    """Ctrl-C in a moment."""
-    timer = threading.Timer(0.2, _thread.interrupt_main)
-    timer.start()
-    yield
-    timer.join()
-
-
-@pytest.mark.usefixtures("interrupting")
 def test_ctrl_c_ends_an_endless_loop(smuggle: Smuggle) -> None:
+    timer = threading.Timer(0.2, _thread.interrupt_main)
     with Fmu(smuggle(module(explore_record=_FOREVER)), sandbox=True) as fmu:
         with pytest.raises(KeyboardInterrupt):
+            timer.start()
             fmu.run(_TIME)
         left = [thread.name for thread in threading.enumerate() if thread.name.startswith("sandbox")]
         for _ in range(100):  # the threads of earlier tests, and this one's, come to their ends
