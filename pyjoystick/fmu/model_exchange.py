@@ -57,7 +57,7 @@ def run_model_exchange(
         fmu: a name such as ``Joystick``, or the path of any .fmu file
         time: times to record (s), equally spaced, shape (n,), n >= 2
         parameters: as in `Fmu.run`
-        inputs: as in `Fmu.run`, but always followed exactly
+        inputs: as in `Fmu.run`, but always followed exactly: CVode restarts at their kinks and jumps
         outputs: as in `Fmu.run`
         tolerance: relative tolerance of CVode
         own_process: as in `Fmu`
