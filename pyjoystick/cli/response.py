@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -21,7 +22,8 @@ from pyjoystick.cli.console import (
     write_plot,
 )
 from pyjoystick.cli.fmus import opened
-from pyjoystick.support import check_outputs, write_text
+from pyjoystick.cli.plausibility import require_plausible
+from pyjoystick.support import ParameterError, check_outputs, write_text
 
 EXAMPLES: Final = """
 Examples:
@@ -37,6 +39,8 @@ Examples:
 Where a motion is chaotic, no period is given: its exponent says how fast errors grow, and for how long a run
 can be trusted.
 """
+#: Smallest and largest torque (N m) and frequency (Hz).
+_BOUNDS: Final = {"torque": (0.0, 50.0), "frequency": (0.1, 200.0)}
 #: Release angles (deg), on both sides of the middle.
 _RELEASES: Final = (0.1, 0.3, 1.0, 2.0, 5.0, 10.0, 15.0, 20.0)
 
@@ -45,12 +49,22 @@ def run(
     torque: Annotated[
         float,
         typer.Option(
-            "--torque", metavar="N.M", min=0.0, max=50.0, help="Amplitude of the sinusoidal torque (N m)."
+            "--torque",
+            metavar="N.M",
+            min=_BOUNDS["torque"][0],
+            max=_BOUNDS["torque"][1],
+            help="Amplitude of the sinusoidal torque (N m).",
         ),
     ] = 0.6,
     frequency: Annotated[
         float,
-        typer.Option("--frequency", metavar="HZ", min=0.1, max=200.0, help="Its frequency (Hz)."),
+        typer.Option(
+            "--frequency",
+            metavar="HZ",
+            min=_BOUNDS["frequency"][0],
+            max=_BOUNDS["frequency"][1],
+            help="Its frequency (Hz).",
+        ),
     ] = 4.0,
     speeds: Annotated[
         list[float] | None,
@@ -99,6 +113,8 @@ def run(
     check_outputs(csv, json, plot)
     if vary is None:
         parsing.refuse_given("needs --vary", {"--csv": csv, "--periods": None if periods == 1 else periods})
+    else:
+        _require_plausible(*vary)
     shaking = forced_motion.Shaking(torque, frequency)
     response = None
     with (
@@ -125,6 +141,15 @@ def run(
         else:
             _give_branches(response, csv, plot)
         write_json(json, lambda notes: forced_motion.response_json(once, found, response, notes))
+
+
+def _require_plausible(name: str, *ends: float) -> None:
+    """Reject values of --vary that no joystick has, or that its own options do not take."""
+    low, high = _BOUNDS.get(name, (-math.inf, math.inf))
+    for end in ends:
+        if not low <= end <= high:
+            raise ParameterError(f"--vary {name}", end, f"from {low:g} to {high:g}")
+        require_plausible({name: end}, options={name: f"--vary {name}"})
 
 
 def _give_branches(response: forced_motion.Response, csv: Path | None, plot: Path | None) -> None:

@@ -53,6 +53,8 @@ def test_branches_over_a_parameter(command: Command, tmp_path: Path) -> None:
         (("--set", "friction.T_c=0.01"), "no derivatives to search by"),
         (("--vary", "frequency", "5", "3"), "the first below the second"),
         (("--vary", "damping.D", "0", "1"), "there is no parameter 'damping.D'"),
+        (("--vary", "frequency", "3", "20000"), "--vary frequency = 20000.0: must be from 0.1 to 200"),
+        (("--vary", "J", "0.01", "11.35"), "--vary J = 11.35"),
     ],
 )
 def test_what_cannot_be_searched_is_refused(command: Command, options: tuple[str, ...], message: str) -> None:
