@@ -218,6 +218,9 @@ def read_relations(
 
 
 def _discrete_values(model: LoweredModel) -> frozenset[Expression]:
+    """Return what `Relations.discrete` holds: nothing without sample(), as then no crossing is left out."""
+    if not model.solve["clocks"]["activation_parameter_indices"]:
+        return frozenset()
     watched, literal = comparisons_with_discrete(model)
     values = (
         _values(model, lambda variable: variable["role"].startswith("discrete")) if watched else frozenset()

@@ -70,6 +70,7 @@ REFUSALS = (
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),
     Refusal("LostSiblings", UnsupportedModelError, r"assembly\.spring\.x is lost.*repeat it"),
     Refusal("MemberSlice", UnsupportedModelError, r"a subscript of a member of an array"),
+    Refusal("NoEventAndSample", UnsupportedModelError, r"with noEvent\(\) or without it, not both"),
     Refusal("OperatorRecord", UnsupportedModelError, r"operator records"),
     Refusal("OtherState", UnsupportedModelError, r"reinit\(\) of v_1 would keep v_2.* not v_rel"),
     Refusal("OwnBase.Model", UnsupportedModelError, r"extends a class of its own"),
