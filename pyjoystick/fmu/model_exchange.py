@@ -36,6 +36,8 @@ _FEWEST_OUTPUTS: Final = 200
 #: Where a table of inputs has more kinks than this, only those after a pause are events: FMPy's loop searches
 #: all of them in every step, and CVode's error control sees the others.
 _MOST_KINKS: Final = 5000
+#: Relative difference of slopes that rounding can cause.
+_STRAIGHT: Final = 1e-9
 #: A pause is so many times as long as the usual time between two kinks.
 _PAUSE: Final = 5.0
 
@@ -205,8 +207,8 @@ def _rows(description: FmuDescription, table: InputTable, start: float) -> NDArr
         if description.variables[name].type in REALS:
             rises = np.diff(column[rows].astype(np.float64))
             slopes = np.divide(rises, steps, out=np.zeros_like(rises), where=steps > 0.0)
-            changes = np.abs(np.diff(slopes, prepend=0.0, append=0.0))
-            kinks |= changes > 1e-9 * np.abs(slopes).max()
+            before, after = np.concatenate(([0.0], slopes)), np.concatenate((slopes, [0.0]))
+            kinks |= np.abs(after - before) > _STRAIGHT * np.maximum(np.abs(before), np.abs(after))
     if np.count_nonzero(kinks) > _MOST_KINKS:
         pauses = np.diff(time[rows][kinks], prepend=-np.inf)
         kinks[kinks] = pauses > _PAUSE * np.median(pauses[1:])
