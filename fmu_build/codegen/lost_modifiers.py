@@ -9,24 +9,17 @@ see also `redeclared_modifiers`, `record_values`, `changed_constants` and `contr
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import chain
 
 from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.comprehensions import miscounted_comprehensions
 from fmu_build.codegen.contradicted_constants import contradicted_constants
+from fmu_build.codegen.leaking_modifiers import arrays_over_names, leaking_modifiers
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.modelica_source.clauses import component_clauses
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
-from fmu_build.codegen.modelica_source.modifiers import (
-    Path as NamePath,
-    assigned,
-    closing,
-    dotted,
-    repeated,
-    values,
-)
+from fmu_build.codegen.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
 from fmu_build.codegen.modelica_source.text import inside_parentheses
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
@@ -66,7 +59,8 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
     found = (
         _repeated_modifiers,
         _contradicted_bases,
-        _arrays_named_like_inherited,
+        arrays_over_names,
+        leaking_modifiers,
         _nested_redeclarations,
         _modifiers_of_classes,
         values_over_members,
@@ -106,34 +100,6 @@ def _contradicted_bases(text: ModelText) -> Iterator[tuple[str, Construct]]:
             if len(text.of(base)) == 1:
                 what = f"{simple} inherits {base} twice, with different values of {'.'.join(path)}"
                 yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
-
-
-def _arrays_named_like_inherited(text: ModelText) -> Iterator[tuple[str, Construct]]:
-    """Yield classes in which an array of components gets an array for a name that the class also inherits.
-
-    In ``model B extends A; S k[2](p = {5, 7}); end B;`` with a ``p`` in A, rumoca loses what a component of a
-    class that extends B is given for its ``p``.
-    """
-    inheritance = Inheritance(text)
-    extended = {base for bases in inheritance.bases.values() for base, _ in bases}
-    for name, _, plain in text.named():
-        simple = name.rpartition(".")[2]
-        bases = [base for base, _ in inheritance.bases[simple]]
-        for component in component_clauses(plain) if bases and simple in extended else ():
-            for path, value in values(component.modifiers).items() if component.is_array else ():
-                is_one = re.fullmatch(r"[-+\w.\s*/]*", value)
-                if is_one or len(path) > 1 or not _declared(inheritance, bases, path[0]):
-                    continue
-                what = (
-                    f"what a component of a class that extends {simple} is given for {path[0]} may be lost, "
-                    f"because the array {component.name} is given an array for its own {path[0]}; give it an "
-                    "array parameter"
-                )
-                yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
-
-
-def _declared(inheritance: Inheritance, classes: Sequence[str], component: str) -> bool:
-    return any(any(inheritance.components(one, component)) for one in classes)
 
 
 def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:

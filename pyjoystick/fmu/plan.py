@@ -18,7 +18,7 @@ from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.own_process.pool import ProcessPool
 from pyjoystick.fmu.own_process.runner import Outcome, RemoteRunner
 from pyjoystick.fmu.preparation import prepare
-from pyjoystick.fmu.reductions import Reduction, checked_reductions, operations_of, units_of
+from pyjoystick.fmu.reductions import Peaks, Reduction, checked_reductions, operations_of, units_of
 from pyjoystick.fmu.run_log import log_runs
 from pyjoystick.fmu.runner import Job, Runner
 from pyjoystick.fmu.sandbox.pool import SandboxPool
@@ -28,7 +28,15 @@ from pyjoystick.fmu.stepping.program import FATAL, OK, WARNING
 from pyjoystick.fmu.stepping.reducing import Operation
 from pyjoystick.fmu.values import Value, checked_outputs, checked_parameters, checked_varied, default_outputs
 from pyjoystick.fmu.varied import Varied
-from pyjoystick.support import FloatArray, ParameterError, increasing_times, notebook_progress, positive
+from pyjoystick.motion import ratio_to_rate
+from pyjoystick.support import (
+    FloatArray,
+    ParameterError,
+    SimulationError,
+    increasing_times,
+    notebook_progress,
+    positive,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -101,6 +109,7 @@ class Plan:
             "tolerance": tolerance,
         }
         self._key = next(_keys)
+        self._rates: set[tuple[str, str | None]] = set()
         self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
         log_runs(description, self.time, parameters, self.varied, tolerance)
@@ -166,7 +175,8 @@ class Plan:
 
         Raises:
             ParameterError: a value of the table is not allowed (the message names its row), a setting is not,
-                an output is text, or the samples do not fit into memory
+                an output is text, peaks are to be found by the derivative of another variable, or the samples
+                do not fit into memory
             UnknownVariableError: a reduction uses a variable that is not among `outputs`
         """
         self._require_numbers()
@@ -178,6 +188,21 @@ class Plan:
                 return self._carry_out(table, stop, threads, reductions, tell)
         finally:
             del self._batches[id(stop)]
+
+    def _require_rates(self, reductions: Sequence[Reduction], numbers: NDArray[Any]) -> None:
+        """Reject peaks by the derivative of another variable, as the first run shows them."""
+        wanted = {(one.variable, one.derivative) for one in reductions if isinstance(one, Peaks)}
+        for variable, derivative in sorted((v, d) for v, d in wanted - self._rates if d is not None):
+            try:
+                samples = self.run(numbers[0]) if len(numbers) else np.empty((0, len(self.outputs)))
+            except SimulationError:
+                return  # the batch will say why
+            value, slope = (samples[:, self.outputs.index(name)] for name in (variable, derivative))
+            ratio = ratio_to_rate(self.time, value, slope, smallest=0.0) if len(samples) else None
+            if ratio is not None:
+                hint = f"{variable} changes {ratio:.3g} times as fast"
+                raise ParameterError("derivative", derivative, f"the time derivative of {variable}", hint)
+            self._rates.add((variable, derivative))
 
     def _carry_out(
         self,
@@ -194,6 +219,7 @@ class Plan:
         count = number_of_threads(threads, runs, one_instance=self._pool.has_one)
         values = self._empty(runs if kept is None else 0)
         operations = operations_of(kept or (), self.outputs)
+        self._require_rates(kept or (), numbers)
         job = self._job(self._rows(numbers), len(columns), stop)
         _LOG.debug("%d runs of %s on at most %d instances", runs, self._pool.description.path.name, count)
         batch = Batch(self._new_runner(job, operations, load_compiler=True), job, values)

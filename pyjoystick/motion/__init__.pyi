@@ -23,6 +23,7 @@ from .logs.reading import (
 )
 from .peaks import find_peaks as find_peaks, periods as periods
 from .record_peaks import MeasuredPeaks as MeasuredPeaks, measured_peaks as measured_peaks
+from .records.derivatives import ratio_to_rate as ratio_to_rate
 from .records.errors import RecordError as RecordError, rows_in_words as rows_in_words
 from .records.free_oscillation import (
     Side as Side,

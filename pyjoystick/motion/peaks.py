@@ -11,6 +11,7 @@ import pandas as pd
 from numpy.typing import ArrayLike
 
 from pyjoystick.motion.extrema import extrema_of_derivative, extrema_of_samples, peaks_among
+from pyjoystick.motion.records.derivatives import ratio_to_rate
 from pyjoystick.support import FloatArray, SeriesError, not_negative, real_numbers
 
 
@@ -49,12 +50,14 @@ def find_peaks(
 
     Raises:
         SeriesError: a series is not one-dimensional, not of the length of the others, too short, contains NaN
-            or infinity, or the time does not increase
+            or infinity; the time does not increase; or the derivative is that of something else
         ParameterError: a limit is negative or not finite
     """
     instants, values = _series("time", time), _series("value", value)
     slopes = None if derivative is None else _series("derivative", derivative)
     _check_lengths(instants, values, slopes)
+    if slopes is not None and (ratio := ratio_to_rate(instants, values, slopes, smallest=0.0)) is not None:
+        raise SeriesError("derivative", f"is not that of value, which changes {ratio:.3g} times as fast")
     height = not_negative("minimum_height", minimum_height)
     prominence = not_negative("minimum_prominence", minimum_prominence)
     extrema = (

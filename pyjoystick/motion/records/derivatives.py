@@ -45,11 +45,31 @@ def require_derivative(
         longest_step: longer ones are gaps, over which nothing can be integrated (s)
         rows: line numbers of the samples, shape (n,)
     """
+    (name, values), (name_of_rate, rates) = quantity, rate
+    ratio = ratio_to_rate(time, values, rates, smallest=smallest, longest_step=longest_step)
+    if ratio is not None:
+        reason = f"is not the rate of {name}, which changes {ratio:.3g} times as fast"
+        raise RecordError(
+            source, reason, _advice(name_of_rate, ratio), column=name_of_rate, rows=rows[[0, -1]]
+        )
+
+
+def ratio_to_rate(
+    time: FloatArray,
+    values: FloatArray,
+    rates: FloatArray,
+    *,
+    smallest: float,
+    longest_step: float = math.inf,
+) -> float | None:
+    """How much faster values change than their rates say; None if the rates can be theirs.
+
+    The arguments are those of `require_derivative`.
+    """
     steps = np.diff(time)
     if len(time) < _FEWEST:
-        return
+        return None
     inside = steps <= longest_step
-    (name, values), (name_of_rate, rates) = quantity, rate
     changes = np.where(inside, np.diff(values), 0.0)
     integrals = np.where(inside, 0.5 * (rates[1:] + rates[:-1]) * steps, 0.0)
     moved, integrated = (_beside_a_line(np.cumsum(one)) for one in (changes, integrals))
@@ -59,10 +79,8 @@ def require_derivative(
     if _FAR * small > large:  # else not even the order of magnitude agrees, however coarse the sampling
         tolerated += _sampling_error(steps, rates, integrals, inside)
     if difference <= tolerated:
-        return
-    ratio = float(moved @ integrated / (integrated @ integrated)) if integrated.any() else math.inf
-    reason = f"is not the rate of {name}, which changes {ratio:.3g} times as fast"
-    raise RecordError(source, reason, _advice(name_of_rate, ratio), column=name_of_rate, rows=rows[[0, -1]])
+        return None
+    return float(moved @ integrated / (integrated @ integrated)) if integrated.any() else math.inf
 
 
 def _sampling_error(

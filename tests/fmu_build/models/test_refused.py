@@ -66,6 +66,15 @@ REFUSALS = (
     Refusal("LeftOut", UnsupportedModelError, r"first result"),
     Refusal("LocalRecord", UnsupportedModelError, r"the record r in function"),
     Refusal("LostConstraint", UnsupportedModelError, r"constraining class"),
+    Refusal(
+        "LeakingModifier", UnsupportedModelError, r"given to gain\.k would also be given to inside\.gain\.k"
+    ),
+    Refusal(
+        "LeakingStart", UnsupportedModelError, r"given to body\.T\.start would also be given to rod\.T\.start"
+    ),
+    Refusal(
+        "ArraysInExtends", UnsupportedModelError, r"given for p may be lost, because Pair is given an array"
+    ),
     Refusal("LostInShortClass", UnsupportedModelError, r"body\.v\.nominal is lost"),
     Refusal("LostModifiers", UnsupportedModelError, r"modifiers of a class that is redeclared"),
     Refusal("LostSiblings", UnsupportedModelError, r"assembly\.spring\.x is lost.*repeat it"),
@@ -78,7 +87,9 @@ REFUSALS = (
     Refusal("PresentState", UnsupportedModelError, r"pre\(state\)"),
     Refusal("ReorderedArguments.Model", UnsupportedModelError, r"the argument b would be taken for another"),
     Refusal(
-        "ArraysNamedLikeInherited", UnsupportedModelError, r"given for m may be lost, because the array loads"
+        "ArraysNamedLikeInherited",
+        UnsupportedModelError,
+        r"given for m may be lost, because loads is given an array",
     ),
     Refusal("RecordArray", UnsupportedModelError, r"der\(r\[i\]\.a\)"),
     Refusal("SampledElsewhen", UnsupportedModelError, r"sample\("),

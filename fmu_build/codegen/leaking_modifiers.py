@@ -1,0 +1,107 @@
+"""Modifiers that rumoca applies to a sibling of the component for which they are meant, too or instead.
+
+With ``Gain gain; Inner inside(gain(k = 3));`` in a class C, ``C c(gain(k = 7))`` also gives 7 to
+``c.inside.gain.k``: rumoca merges what is given to ``gain`` into every modifier of that name in C. An array
+for a name, as in ``S k[2](p = {5, 7})``, takes what the class around it is given for its own ``p``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from fmu_build.codegen.modelica_source.clauses import component_clauses
+from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
+from fmu_build.codegen.modelica_source.inheritance import Inheritance, extensions, modified_classes
+from fmu_build.codegen.modelica_source.modifiers import Path, assigned, closing, values
+
+_KINDS = r"(?:model|block|record|type|package|class)"
+_REDECLARED = re.compile(r"\bredeclare\s+(?:replaceable\s+)?[\w.]+\s+(?P<name>\w+)\s*\(")
+
+
+def leaking_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield an explanation and the clause for each modifier that would leak."""
+    inheritance = Inheritance(text)
+    siblings = _Siblings(text, inheritance)
+    for name, modifiers, clause in modified_classes(text):
+        # In an extends clause or a short class, only what is given to parts of components leaks.
+        is_base = re.match(r"extends\b|\w+\s+\w+\s*=", clause.plain) is not None
+        given = assigned(modifiers) | set(_redeclared(modifiers))
+        for path in sorted(given):
+            for depth in range(1 if is_base else 0, len(path) - 1):
+                for owner in sorted(inheritance.owners(name, path[:depth])):
+                    for sibling in siblings.of(owner, path[depth]):
+                        if (*path[:depth], sibling, *path[depth:]) not in given:
+                            yield _explanation(path, depth, owner, sibling), clause
+
+
+def _explanation(path: Path, depth: int, owner: str, sibling: str) -> str:
+    inner, rest = path[depth], ".".join(path[depth:])
+    return (
+        f"what is given to {'.'.join(path)} would also be given to {sibling}.{rest}, because {owner} has a "
+        f"modifier of {sibling}.{inner}; give it in a class of its own, model Own = {owner}({inner}(...))"
+    )
+
+
+def _redeclared(modifiers: str) -> Iterator[Path]:
+    """Yield the paths that the modifiers of redeclared components set."""
+    for found in _REDECLARED.finditer(modifiers):
+        inner = modifiers[found.end() : closing(modifiers, found.end() - 1) - 1]
+        yield from ((found["name"], *path) for path in assigned(inner))
+
+
+def arrays_over_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield classes in which parts are given an array for a name that the class has itself.
+
+    In ``model B extends A; S k[2](p = {5, 7}); end B;`` with a ``p`` in A, rumoca loses what a component of a
+    class that extends B is given for its ``p``; with ``extends A(k(p = {5, 7}))``, of B itself.
+    """
+    inheritance = Inheritance(text)
+    extended = {base for bases in inheritance.bases.values() for base, _ in bases}
+    for name, _, plain in text.named():
+        simple = name.rpartition(".")[2]
+        given = [
+            (base, path[-1])
+            for base, modifiers in extensions(plain, short_classes=False)
+            for path, value in values(modifiers).items()
+            if len(path) > 1 and not _is_one(value) and any(inheritance.components(simple, path[-1]))
+        ]
+        bases = inheritance.bases[simple] if simple in extended else ()
+        given += [
+            (component.name, path[0])
+            for component in (component_clauses(plain) if bases else ())
+            for path, value in values(component.modifiers).items()
+            if component.is_array and len(path) == 1 and not _is_one(value)
+            if any(any(inheritance.components(base, path[0])) for base, _ in bases)
+        ]
+        for owner, part in given:
+            what = (
+                f"what a component of the class {simple}, or of one that extends it, is given for {part} may "
+                f"be lost, because {owner} is given an array for its own {part}; give it an array parameter"
+            )
+            yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
+
+
+def _is_one(value: str) -> bool:
+    return re.fullmatch(r"[-+\w.\s*/]*", value) is not None
+
+
+class _Siblings:
+    """By class and name, the components in whose modifiers the name occurs with something inside it."""
+
+    def __init__(self, text: ModelText, inheritance: Inheritance) -> None:
+        self._inheritance = inheritance
+        self._modified: dict[str, set[tuple[str, str]]] = {}
+        for name, _, plain in text.named():
+            found = self._modified.setdefault(name.rpartition(".")[2], set())
+            for component in component_clauses(plain):
+                found |= {
+                    (path[0], component.name) for path in assigned(component.modifiers) if len(path) > 1
+                }
+            for _, modifiers in extensions(plain):
+                found |= {(path[1], path[0]) for path in assigned(modifiers) if len(path) > 2}
+
+    def of(self, name: str, inner: str) -> list[str]:
+        """The components, other than `inner` itself, of a class and its bases."""
+        pairs = (pair for one in self._inheritance.ancestry(name) for pair in self._modified.get(one, ()))
+        return sorted({component for part, component in pairs if part == inner != component})
