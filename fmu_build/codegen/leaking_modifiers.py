@@ -8,6 +8,7 @@ for a name, as in ``S k[2](p = {5, 7})``, takes what the class around it is give
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterator
 
 from fmu_build.codegen.modelica_source.clauses import component_clauses
@@ -87,21 +88,33 @@ def _is_one(value: str) -> bool:
 
 
 class _Siblings:
-    """By class and name, the components in whose modifiers the name occurs with something inside it."""
+    """By class and name of one of its elements, other components whose modifiers name something inside that.
+
+    Classes of the same simple name count as one only after this, as many do not have such an element.
+    """
 
     def __init__(self, text: ModelText, inheritance: Inheritance) -> None:
-        self._inheritance = inheritance
-        self._modified: dict[str, set[tuple[str, str]]] = {}
-        for name, _, plain in text.named():
-            found = self._modified.setdefault(name.rpartition(".")[2], set())
-            for component in component_clauses(plain):
-                found |= {
-                    (path[0], component.name) for path in assigned(component.modifiers) if len(path) > 1
-                }
-            for _, modifiers in extensions(plain):
-                found |= {(path[1], path[0]) for path in assigned(modifiers) if len(path) > 2}
+        self._found: defaultdict[str, set[tuple[str, str]]] = defaultdict(set)
+        own: defaultdict[str, set[tuple[str, str]]] = defaultdict(set)
+        classes = list(text.named())
+        for name, _, plain in classes:
+            own[name.rpartition(".")[2]] |= set(_modified(plain))
+        for name, _, plain in classes:
+            bases = {one for base, _ in extensions(plain) for one in inheritance.ancestry(base)}
+            elements = {component.name for component in component_clauses(plain)}
+            for element, component in {*_modified(plain), *(pair for base in bases for pair in own[base])}:
+                inherited = any(any(inheritance.own_components(base, element)) for base in bases)
+                if element != component and (element in elements or inherited):
+                    self._found[name.rpartition(".")[2]].add((element, component))
 
-    def of(self, name: str, inner: str) -> list[str]:
-        """The components, other than `inner` itself, of a class and its bases."""
-        pairs = (pair for one in self._inheritance.ancestry(name) for pair in self._modified.get(one, ()))
-        return sorted({component for part, component in pairs if part == inner != component})
+    def of(self, name: str, element: str) -> list[str]:
+        """The components of a class that are modified so, other than the element."""
+        return sorted({component for part, component in self._found[name] if part == element})
+
+
+def _modified(plain: str) -> Iterator[tuple[str, str]]:
+    """Yield what is named with something inside it in the modifiers of a component, and this component."""
+    for component in component_clauses(plain):
+        yield from ((path[0], component.name) for path in assigned(component.modifiers) if len(path) > 1)
+    for _, modifiers in extensions(plain):
+        yield from ((path[1], path[0]) for path in assigned(modifiers) if len(path) > 2)

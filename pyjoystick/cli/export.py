@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated, Literal
 
@@ -9,7 +10,7 @@ import typer
 
 from pyjoystick import model, reports
 from pyjoystick.cli import joystick_choice, options
-from pyjoystick.cli.console import print_progress, progress_console, write
+from pyjoystick.cli.console import print_progress, print_warning, progress_console, write
 from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import write_text
 
@@ -109,6 +110,9 @@ def run(
             )
         for path in built:
             print_progress(f"wrote {path}")
+        if file.joystick.stops:
+            limit = math.degrees(file.joystick.stops.theta_stop)
+            print_warning(f"{built[-1].name} has no stops: its torque is valid within {limit:.6g} degrees")
         write(
             folder / f"{own}.ssp" if ssp else None,
             lambda path: reports.export_ssp(file, built[0], path, law=law),

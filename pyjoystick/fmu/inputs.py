@@ -29,8 +29,11 @@ Inputs = Union[Mapping[str, Value], "pd.DataFrame"]  # `|` does not accept forwa
 _INDEX: Final = "index of the inputs"
 #: Words in the name of an index that is no time in s.
 _NOT_SECONDS: Final = re.compile(
-    r"(?<![a-z])(?:[nm\u00b5\u03bcu]s|msec|(?:milli|micro)s(?:econds?)?|min(?:ute)?s?|h(?:ours?)?|samples?|frames?)(?![a-z])"
+    r"(?<![a-z])(?:[pnmµμu]s|[mn]secs?|(?:milli|mi[ck]ro|nano)se[ck](?:onds?|unden?|s)?|millis|"
+    r"min(?:ute[ns]?|s)?|h(?:(?:ou)?rs?)?|stunden?|d(?:ays?)?|tage?|samples?|frames?|ticks?|zeilen?)(?![a-z])"
 )
+#: What may stand in brackets after a name.
+_SECONDS: Final = frozenset({"s", "sec", "secs", "second", "seconds", "sekunde", "sekunden"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,8 +138,12 @@ def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
     time = inputs.index.name or "time"
     if units.get(time, "s") != "s":
         raise ParameterError(f"unit of {time}", units[time], "s")
-    if found := _NOT_SECONDS.search(str(time).lower()):
-        raise SeriesError(_INDEX, f"is named {time!r}; must be time in s, not {found[0]}")
+    word = str(time).lower()
+    in_brackets = re.search(r"[(\[]\s*([^)\]]*?)\s*[)\]]", word)
+    found = _NOT_SECONDS.search(word)
+    if found or (in_brackets and in_brackets[1] not in _SECONDS):
+        unit = found[0] if found else in_brackets[1] if in_brackets else ""
+        raise SeriesError(_INDEX, f"is named {time!r}; must be time in s, not {unit}")
     for name in inputs.columns:
         wanted = description.variables[name].unit
         if wanted and units.get(name, wanted) != wanted:

@@ -9,8 +9,10 @@ from os import PathLike
 from pathlib import Path
 from typing import Final
 
+import numpy as np
+
 from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
-from pyjoystick.motion import UNITS, Column, RecordError, read_table_file
+from pyjoystick.motion import UNITS, Column, Heading, RecordError, TableFile, read_table_file
 from pyjoystick.support import ParameterError, finite, not_negative, positive
 
 _KINDS: Final = {
@@ -19,6 +21,8 @@ _KINDS: Final = {
     "inertia": UNITS["moment of inertia"],
     "offset": UNITS["length"],
 }
+#: Names of rows that add up the others.
+_TOTALS: Final = frozenset({"total", "sum", "gesamt", "summe"})
 _PART: Final = Column("part", {"": 1.0})
 _COLUMNS: Final = tuple(
     Column(
@@ -117,6 +121,23 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
     return PartsResult(mass, height, about_pivot, tuple(notes))
 
 
+def _require_known(file: TableFile) -> None:
+    """Reject columns of numbers that would be ignored, such as a number of pieces."""
+    known = {one.heading for one in file.head.match([_PART, *_COLUMNS]).values()}
+    for heading in file.head.headings:
+        if heading not in known and _has_numbers(file, heading):
+            names = ", ".join(column.name for column in (_PART, *_COLUMNS))
+            advice = f"known are {names}; a part that is there twice needs two rows"
+            raise RecordError(str(file.head.path), "is not known", advice, column=heading.text)
+
+
+def _has_numbers(file: TableFile, heading: Heading) -> bool:
+    try:
+        return bool(np.isfinite(file.numbers(heading)).any())
+    except RecordError:
+        return False  # text, such as a material
+
+
 def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     """Read parts from a CSV file.
 
@@ -131,8 +152,12 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     file = read_table_file(Path(path))
     names = file.texts(file.head.match([_PART])["part"].heading)
     series = file.read(_COLUMNS)
+    _require_known(file)
     parts = []
     for i, name in enumerate(names):
+        if name.casefold() in _TOTALS:
+            advice = "remove the row: what it adds up is here already"
+            raise RecordError(str(path), "is no part", advice, rows=[file.rows[i]], value=name)
         numbers = {quantity: float(values[i]) for quantity, values in series.items()}
         if name in names[:i]:
             raise RecordError(

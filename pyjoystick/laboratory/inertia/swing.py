@@ -18,6 +18,8 @@ from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, 
 
 #: Standard uncertainty of the difference of the reaction times at start and stop of a stopwatch (s).
 REACTION_TIME: Final = 0.05
+#: Largest ratio of two readings of the same pendulum.
+_ALIKE: Final = 1.5
 _NODES: Final = 16
 
 
@@ -88,6 +90,9 @@ def period_of_readings(
     if not readings:
         raise ParameterError("readings", "none", "one time or more (s)")
     times = np.array([positive(f"readings[{i}]", time, "s") for i, time in enumerate(readings)])
+    if times.max() > _ALIKE * times.min():
+        given = f"from {times.min():g} to {times.max():g} s"
+        raise ParameterError("readings", given, f"times of {swings} swings of one pendulum, about alike")
     last_amplitude = last_amplitude or first_amplitude
     for name, one in (("first_amplitude", first_amplitude), ("last_amplitude", last_amplitude)):
         not_negative(name, angle(name, one.value), "rad")

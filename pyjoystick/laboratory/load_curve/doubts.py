@@ -16,6 +16,8 @@ _CLEAR: Final = 5.0
 _LEAST_PART: Final = 0.02
 #: Minimum samples per branch and segment; with fewer, linearized standard errors are too small.
 _FEWEST_IN_SEGMENT: Final = 3
+#: Part of the travel up to contact in which there is surely none.
+_BEFORE_CONTACT: Final = 0.8
 _LARGEST_ERROR: Final = 0.2
 #: A force is saturated if it stays at its largest value for this many samples and this part of the travel.
 _FLAT_SAMPLES: Final = 5
@@ -42,12 +44,17 @@ def require_contact_within(curve: LoadCurve, force_noise: float) -> None:
     back = np.interp(loading.travel, curve.unloading.travel[order], curve.unloading.force[order])
     between = float(np.median(loading.force - back))
     if between < -threshold:
-        raise RecordError(
-            curve.source,
-            f"unloading lies {-between:.3g} N above loading",
-            "friction cannot do that: are the rows in the order in which they were recorded?",
-            column="force",
-        )
+        raise unloading_above(curve, -between)
+
+
+def unloading_above(curve: LoadCurve, force: float) -> RecordError:
+    """Make the error for an unloading branch that lies above the loading branch by this force (N)."""
+    return RecordError(
+        curve.source,
+        f"unloading lies {force:.3g} N above loading",
+        "friction cannot do that: are the rows in the order in which they were recorded?",
+        column="force",
+    )
 
 
 def require_no_saturation(curve: LoadCurve) -> None:
@@ -117,6 +124,11 @@ def doubts(
         f"no force up to a travel of {1e3 * table.x[0]:.4g} mm (row {loading.rows[contact]}): this counts as "
         "the clearance x_0; slack of the fixture would be in it, so take that up before travel is set to zero"
     )
+    if (drift := _drift(curve, table.x[0])) is not None:
+        notes.append(
+            f"the force before contact changes by {drift:+.2g} N from loading to unloading: the load cell "
+            "drifts, and the friction is off by up to half of that; let it warm up, or record faster"
+        )
     ends = [*table.x[1:], float(np.max(loading.travel))]
     for i, (first, last) in enumerate(zip(table.x, ends, strict=True)):
         samples = sum(
@@ -145,3 +157,15 @@ def _where_it_misses(curve: LoadCurve, misfit: float, distances: FloatArray) -> 
         f"{rows[last]} (travel about {1e3 * travel[worst]:.4g} mm): look "
         "there for slack, sliding or one more segment"
     )
+
+
+def _drift(curve: LoadCurve, contact: float) -> float | None:
+    """Change of the force before contact from loading to unloading (N), if it stands out from the noise."""
+    if curve.unloading is None:
+        return None
+    first, last = (branch.force[branch.travel < _BEFORE_CONTACT * contact] for branch in curve.branches)
+    if min(len(first), len(last)) < _FIRST_SAMPLES:
+        return None
+    error = float(np.sqrt(first.var(ddof=1) / len(first) + last.var(ddof=1) / len(last)))
+    change = float(last.mean() - first.mean())
+    return change if abs(change) > _CLEAR * error and error > 0.0 else None

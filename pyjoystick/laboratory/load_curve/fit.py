@@ -23,6 +23,7 @@ from pyjoystick.laboratory.load_curve.doubts import (
     require_contact_within,
     require_no_saturation,
     require_samples_before_contact,
+    unloading_above,
 )
 from pyjoystick.laboratory.load_curve.polyline import corners, signed_distances
 from pyjoystick.model import ActuatorAssembly, SegmentTable
@@ -30,6 +31,8 @@ from pyjoystick.motion import RecordError
 from pyjoystick.support import Drawn, FloatArray, ParameterError, positive
 
 #: Minimum noise relative to the range, for records without noise.
+#: A friction so many standard errors below zero is none.
+_CERTAIN: Final = 5.0
 _LEAST_NOISE: Final = 1e-6
 #: Number of segments of an actuator with two springs (Fig. 7c).
 _SEGMENTS: Final = 4
@@ -177,17 +180,19 @@ def fit_load_curve(
         freedom = len(distances) - len(natural) + (curve.unloading is None)
         misfit = float(np.sqrt(np.sum(distances**2) / freedom))
         covariance = _covariance(model, natural) * max(misfit, 1.0) ** 2
-    if not (np.diag(covariance) >= 0.0).all():
+    x, k, friction, zero = model.parted(natural)
+    if not ((np.diag(covariance) >= 0.0).all() and (k > 0.0).all()):
         reason = f"does not determine {segments} segments"
         advice = "try fewer, such as --segments 2 where the record ends before the second spring"
         raise RecordError(curve.source, reason, advice)
-    x, k, friction, zero = model.parted(natural)
     table = SegmentTable(tuple(np.maximum(x, 0.0)), tuple(k))
     require_samples_before_contact(curve, table)
     scale = np.concatenate(
         (np.full(segments, noise[0]), np.full(segments, noise[1] / noise[0]), [noise[1]] * 2)
     )
     covariance = covariance * np.outer(scale, scale)
+    if friction < -_CERTAIN * float(np.sqrt(covariance[-2, -2])):
+        raise unloading_above(curve, -2.0 * friction)
     k_errors = np.sqrt(np.diag(covariance))[segments : 2 * segments]
     return LoadCurveFit(
         curve=curve,

@@ -32,7 +32,7 @@ _UNEVEN: Final = 0.02
 #: An angle that changes by less than this (rad) only does so by rounding.
 _STILL: Final = 1e-9
 #: Range (s), to either side, and step of the comparison of clocks.
-LARGEST_LAG: Final = 0.1
+LARGEST_LAG: Final = 0.5
 _LAG_STEP: Final = 5e-4
 
 
@@ -188,6 +188,7 @@ class AngularAcceleration:
         peaks: largest magnitudes (rad/s2) of the same
         lag: correction of the clock for the smallest difference (s), to be added to the delay
         correlation: correlation of `filtered` with the differentiated angle
+        correlation_at_lag: the same, less gravity, once the clock is corrected by `lag`
     """
 
     time: FloatArray
@@ -199,6 +200,7 @@ class AngularAcceleration:
     peaks: dict[str, float]
     lag: float
     correlation: float
+    correlation_at_lag: float
 
 
 def angular_acceleration(
@@ -249,6 +251,7 @@ def angular_acceleration(
     filtered = np.full(len(motion.time), np.nan)
     filtered[known] = raw + level / length
     found = {"with gravity": raw, "less gravity": filtered[known]}
+    lag, agreement = _lag(record.time, smooth / length, time, alpha - level / length)
     return AngularAcceleration(
         time=record.time,
         alpha=(reading + weight) / length,
@@ -261,8 +264,9 @@ def angular_acceleration(
             name: float(np.max(np.abs(series)))
             for name, series in (found | {"differentiated": alpha}).items()
         },
-        lag=_lag(record.time, smooth / length, time, alpha - level / length),
+        lag=lag,
         correlation=float(np.corrcoef(filtered[known], alpha)[0, 1]),
+        correlation_at_lag=agreement,
     )
 
 
@@ -270,7 +274,9 @@ def _rms(values: FloatArray) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _lag(clock: FloatArray, series: FloatArray, time: FloatArray, wanted: FloatArray) -> float:
-    """Delay of a series relative to another, by the smallest rms difference."""
+def _lag(clock: FloatArray, series: FloatArray, time: FloatArray, wanted: FloatArray) -> tuple[float, float]:
+    """Delay of a series relative to another, by the largest correlation of either sign, and the latter."""
     lags = np.arange(-LARGEST_LAG, LARGEST_LAG + _LAG_STEP / 2.0, _LAG_STEP)
-    return float(lags[np.argmin([_rms(np.interp(time + lag, clock, series) - wanted) for lag in lags])])
+    alike = np.array([np.corrcoef(np.interp(time + lag, clock, series), wanted)[0, 1] for lag in lags])
+    best = int(np.nanargmax(np.abs(alike)))
+    return float(lags[best]), float(alike[best])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 from pyjoystick.laboratory.measurements.accelerometer import (
     LARGEST_LAG,
@@ -16,6 +17,9 @@ from pyjoystick.laboratory.measurements.angle_notes import REST_TIME
 from pyjoystick.laboratory.measurements.results import acceleration_report, write_acceleration
 from pyjoystick.laboratory.measurements.setups import AccelerometerSetup
 from pyjoystick.motion import Record
+
+#: Smallest correlation of an accelerometer with the angle's acceleration, if both are of one motion.
+_LEAST_CORRELATION: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,6 +86,11 @@ def compare_accelerometer(path: Path, angle: Record, setup: AccelerometerSetup) 
     notes = list(record.notes)
     if abs(found.lag) > 0.99 * LARGEST_LAG:
         notes.append(f"the clocks may differ by more than {LARGEST_LAG:g} s: give --delay")
-    if found.correlation < 0.0:
+    if abs(found.correlation_at_lag) < _LEAST_CORRELATION:
+        notes.append(
+            f"does not resemble the angle's acceleration at any delay up to {LARGEST_LAG:g} s (correlation "
+            f"{found.correlation_at_lag:.2f}): is it of the same motion? Otherwise give --delay"
+        )
+    elif found.correlation_at_lag < 0.0:
         notes.append("opposes the angle: if its positive direction is backward, add --backward")
     return AccelerometerComparison(setup, record, found, tuple(notes))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -67,6 +68,7 @@ def modelica_class(
     check_name(name)
     description = f"{title or name}: {_INPUTS[direction]}"
     if direction == "inverse":
+        more = f"{_without_stops(values)}{more}"
         values = [v for v in values if v.name not in STOP_NAMES]
     base = base_class(values, direction, law)
     modifiers = _modifiers({tuple(v.name.split(".")): f"{v.value!r}" for v in values}, "    ")
@@ -77,6 +79,17 @@ def modelica_class(
         "    experiment(StartTime = 0, StopTime = 1.5, Tolerance = 1e-8, Interval = 1e-3),\n"
         f"    Documentation(info = {_string(_page(title or name, values, more))}));\n"
         f"end {name};\n"
+    )
+
+
+def _without_stops(values: Sequence[FmuValue]) -> str:
+    """What the documentation of an inverse says of stops, which end its motions."""
+    stop = next((v.value for v in values if v.name == "stops.theta_stop"), None)
+    if stop is None:
+        return ""
+    return (
+        f"<p><b>Valid within the stops only</b>, at {math.degrees(stop):.6g} degrees: beyond them, no torque "
+        "belongs to a motion, and this model answers as if there were no stops.</p>"
     )
 
 

@@ -293,3 +293,17 @@ def test_the_scale_of_the_load_cell(command: Command, tmp_path: Path) -> None:
     for scale, words in (("0.5", "--force-scale force_scale = 0.5"), ("0", "force_scale.uncertainty = 0")):
         assert words in command("fit", RECORDS[0], "-p", str(joystick), "--force-scale", scale).err
     assert "needs --parameters" in command("fit", RECORDS[0], "--force-scale", "0.005").err
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+def test_peaks_that_the_fmu_does_not_have(command: Command, tmp_path: Path) -> None:
+    settings = tmp_path / "peaks.toml"
+    settings.write_text(
+        '[fmu]\npath = "Joystick"\n[compare]\nwhat = "peaks"\noutputs = ["theta"]\n'
+        '[compare.derivatives]\ntheta = "f_x"\n[free]\n"damping.C" = { start = 0.04 }\n',
+        encoding="utf-8",
+    )
+    outcome = command("fit", RECORDS[0], "--settings", str(settings))
+    assert outcome.code == 1
+    assert "internal error" not in outcome.err
+    assert "start values: the FMU shows nothing there to compare the records with" in outcome.message

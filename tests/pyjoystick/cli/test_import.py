@@ -98,7 +98,9 @@ def test_the_accelerometer_beside_the_angle(command: Command, record: Path, tmp_
     assert outcome.code == 0
     assert "+0.0000 |" in outcome.out
     assert len(np.loadtxt(result, delimiter=",", skiprows=2)) > 5000
-    assert "differ by more than 0.1 s" in command(*arguments, "--delay", "0.14").err
+    assert "-0.1200 |" in command(*arguments, "--delay", "0.14").out
+    assert "opposes the angle" not in command(*arguments, "--delay", "0.07").err
+    assert "opposes the angle" in command(*arguments, "--delay", "0.07", "--backward").err
     assert "add --backward" in command(*arguments, "--delay", "0.02", "--backward").err
 
 

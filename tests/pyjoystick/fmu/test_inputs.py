@@ -33,6 +33,9 @@ def filtered() -> pd.DataFrame:
     return rows[rows["T"].isin([0.0, 5.0])]
 
 
+NO_SECONDS = ("time (msecs)", "Millisekunden", "Minuten", "time in hrs", "time/ps", "days", "clock ticks")
+
+
 def named(name: str) -> pd.DataFrame:
     return pd.DataFrame({"T": [0.0, 2.0]}, index=pd.Index([0.0, 500.0], name=name))
 
@@ -155,6 +158,8 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
         (in_milliseconds("time"), ParameterError, "unit of time = ms: must be s"),
         (named("time (ms)"), SeriesError, r"is named 'time \(ms\)'; must be time in s, not ms"),
         (named("t_us"), SeriesError, "is named 't_us'; must be time in s, not us"),
+        *((named(name), SeriesError, "must be time in s, not") for name in NO_SECONDS),
+        (named("time (0.1 s)"), SeriesError, r"must be time in s, not 0\.1 s"),
         (named("Frame"), SeriesError, "is named 'Frame'; must be time in s, not frame"),
         (
             with_units(["N.m"]),

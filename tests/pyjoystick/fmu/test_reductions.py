@@ -92,3 +92,11 @@ def test_results_that_are_not_finite_are_failures(awkward_fmu: Fmu, reduction: R
     assert batch.messages[1] == f"{reduction.columns[0]} is not finite: an output of the FMU was not"
     has_none = batch.reduced.isna().all(axis=1).tolist()
     assert has_none == [isinstance(reduction, Peaks), True, isinstance(reduction, Peaks)]
+
+
+@pytest.mark.parametrize("derivative", ["alpha", "theta", "M_s"])
+def test_peaks_by_the_derivative_of_another_variable(joystick: Fmu, derivative: str) -> None:
+    plan = joystick.plan(TIME, varied="theta_start", outputs=["theta", "omega", "alpha", "M_s"])
+    with pytest.raises(ParameterError, match=f"= {derivative}: must be the time derivative of theta"):
+        plan.run_batch([[-0.3], [0.2]], reductions=[Peaks("theta", 3, derivative=derivative)])
+    plan.run_batch([[-0.3], [0.2]], reductions=[Peaks("theta", 3, derivative="omega")])

@@ -198,6 +198,17 @@ def test_small_peaks_can_be_left_out() -> None:
     pd.testing.assert_frame_equal(tall, expected)
 
 
+@pytest.mark.parametrize("factor", [-1.0, math.degrees(1.0), math.radians(1.0)])
+def test_the_derivative_is_that_of_the_value(factor: float) -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    value, derivative = np.cos(20.0 * time), -20.0 * np.sin(20.0 * time)
+    assert len(find_peaks(time, value, derivative)) == 6
+    with pytest.raises(SeriesError, match="series 'derivative': is not that of value, which changes"):
+        find_peaks(time, value, factor * derivative)
+    with pytest.raises(SeriesError, match="series 'derivative': is not that of value"):
+        find_peaks(time, derivative, value)
+
+
 @pytest.mark.parametrize(
     ("time", "value", "derivative", "message"),
     [

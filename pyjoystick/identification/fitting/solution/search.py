@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.stats import qmc
 
+from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.settings import Search
 from pyjoystick.support import FloatArray
@@ -105,7 +107,7 @@ def search(
 
     lower, upper = problem.variables.lower[places], problem.variables.upper[places]
     # Records that no joystick explains can make SciPy divide by zero; the checks of the fit judge the result.
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"), _comparable():
         result = least_squares(
             residuals,
             np.clip(full[places], lower, upper) - origins,
@@ -119,6 +121,18 @@ def search(
         )
     message = str(result.message).rstrip(".")
     return Minimum(best.x, best.cost, bool(result.success), message, result.nfev)
+
+
+@contextmanager
+def _comparable() -> Iterator[None]:
+    """Convert SciPy's error for residuals that are not finite at the start."""
+    try:
+        yield
+    except ValueError as error:
+        if "not finite" not in str(error):
+            raise
+        reason = "the FMU shows nothing there to compare the records with, such as no peaks: correct them"
+        raise FitError("start values", reason) from error
 
 
 def staged_search(problem: Problem, x: FloatArray, *, evaluations: int, stages: Sequence[float]) -> Minimum:

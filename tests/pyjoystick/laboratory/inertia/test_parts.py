@@ -93,6 +93,12 @@ def test_a_file(tmp_path: Path) -> None:
         ),
         ("70;0.5", ";0.5", "column 'mass (g)', row 5: samples without a finite number"),
         ("inertia (g.cm2)", "own (g.cm2)", "has no column 'inertia'"),
+        (
+            "offset (mm)",
+            "ofset (mm)",
+            "column 'ofset (mm)': is not known; known are part, mass",
+        ),
+        ("cam;", "Total;", "row 5: is no part (found Total); remove the row"),
     ],
 )
 def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, message: str) -> None:

@@ -104,6 +104,7 @@ def test_the_budget_adds_up() -> None:
     [
         ([], 10, 0.1, "readings"),
         ([8.0, -1.0], 10, 0.1, r"readings\[1\]"),
+        ([8.03, 80.3], 10, 0.1, "readings"),
         ([8.0], 0, 0.1, "swings"),
         ([8.0], 10, 20.0, "first_amplitude"),
         ([8.0], 10, -0.1, "first_amplitude"),

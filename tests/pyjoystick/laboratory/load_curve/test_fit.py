@@ -188,6 +188,22 @@ def test_unloading_above_loading_is_refused() -> None:
     assert float(stated[1]) == pytest.approx(2.0 * MACHINE.friction + 4.0, abs=0.05)
 
 
+def test_a_small_friction_below_zero_is_refused() -> None:
+    """Of rows in reverse order: clear to the fit, though small beside the largest force."""
+    travel, force = cycle(FORWARD_TABLE, 14)
+    with pytest.raises(RecordError, match=r"unloading lies 0\.(59|60)\d* N above loading"):
+        fit_load_curve(LoadCurve.from_cycle(travel[::-1], force[::-1]))
+
+
+def test_a_drift_of_the_load_cell_is_noted() -> None:
+    travel, force = cycle(FORWARD_TABLE, 14)
+    assert not any("drifts" in note for note in fit_load_curve(LoadCurve.from_cycle(travel, force)).notes)
+    drifting = force + np.linspace(0.0, 0.2, len(force))
+    notes = fit_load_curve(LoadCurve.from_cycle(travel, drifting)).notes
+    (drift,) = (note for note in notes if "drifts" in note)
+    assert re.search(r"changes by \+0\.(19|2\d*) N from loading to unloading", drift)
+
+
 @pytest.mark.parametrize("name", ["travel_noise", "force_noise"])
 def test_noise_that_is_refused(name: str) -> None:
     with pytest.raises(ParameterError, match=name):

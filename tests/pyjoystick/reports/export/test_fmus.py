@@ -90,7 +90,10 @@ def test_a_joystick_with_stops_is_a_mounted_one(tmp_path: Path) -> None:
     assert "theta_stop = 0.3" in text
     inverse = modelica_class("Stick", values, direction="inverse", law="constant")
     assert "extends PreloadedSprings.Joystick.JoystickInverse(" in inverse
-    assert "stops" not in inverse
+    assert "stops(" not in inverse
+    assert "theta_stop" not in inverse
+    assert "Valid within the stops only</b>, at 17.1887 degrees" in inverse
+    assert "the stops" not in modelica_class("Stick", fmu_values(file), direction="inverse", law="constant")
 
 
 def _starts(path: Path) -> dict[str, float]:
