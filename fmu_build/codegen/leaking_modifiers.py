@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator
+from typing import Final
 
 from fmu_build.codegen.modelica_source.clauses import component_clauses
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
@@ -17,6 +18,9 @@ from fmu_build.codegen.modelica_source.inheritance import Inheritance, extension
 from fmu_build.codegen.modelica_source.modifiers import Path, assigned, closing, values
 
 _KINDS = r"(?:model|block|record|type|package|class)"
+_ATTRIBUTES: Final = frozenset(
+    {"start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "stateSelect"}
+)
 _REDECLARED = re.compile(r"\bredeclare\s+(?:replaceable\s+)?[\w.]+\s+(?P<name>\w+)\s*\(")
 
 
@@ -32,7 +36,11 @@ def leaking_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
             for depth in range(1 if is_base else 0, len(path) - 1):
                 for owner in sorted(inheritance.owners(name, path[:depth])):
                     for sibling in siblings.of(owner, path[depth]):
-                        if (*path[:depth], sibling, *path[depth:]) not in given:
+                        inside = inheritance.owners(owner, (sibling, path[depth]))
+                        arrives = path[depth + 1] in _ATTRIBUTES or any(
+                            any(inheritance.components(one, path[depth + 1])) for one in inside
+                        )
+                        if arrives and (*path[:depth], sibling, *path[depth:]) not in given:
                             yield _explanation(path, depth, owner, sibling), clause
 
 
@@ -88,9 +96,10 @@ def _is_one(value: str) -> bool:
 
 
 class _Siblings:
-    """By class and name of one of its elements, other components whose modifiers name something inside that.
+    """By class and name of one of its elements, components whose modifiers name something inside that name.
 
-    Classes of the same simple name count as one only after this, as many do not have such an element.
+    The element itself may be one: ``S s(s(k = 3))``. Classes of the same simple name count as one only after
+    this, as many do not have such an element.
     """
 
     def __init__(self, text: ModelText, inheritance: Inheritance) -> None:
@@ -104,11 +113,11 @@ class _Siblings:
             elements = {component.name for component in component_clauses(plain)}
             for element, component in {*_modified(plain), *(pair for base in bases for pair in own[base])}:
                 inherited = any(any(inheritance.own_components(base, element)) for base in bases)
-                if element != component and (element in elements or inherited):
+                if element in elements or inherited:
                     self._found[name.rpartition(".")[2]].add((element, component))
 
     def of(self, name: str, element: str) -> list[str]:
-        """The components of a class that are modified so, other than the element."""
+        """The components of a class that are modified so."""
         return sorted({component for part, component in self._found[name] if part == element})
 
 

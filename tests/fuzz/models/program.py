@@ -10,6 +10,7 @@ from typing import Final
 from tests.fuzz.models.classes import components, derived
 from tests.fuzz.models.dynamics import discrete, modes, states
 from tests.fuzz.models.functions import random_function
+from tests.fuzz.models.hierarchies import hierarchy
 from tests.fuzz.models.meaning import Meaning, Number
 from tests.fuzz.models.scopes import cells, constants, handed_on, redeclared, surrounded
 from tests.fuzz.models.terms import Scope, Term
@@ -18,7 +19,7 @@ from tests.fuzz.models.writer import Writer
 
 PARTS: Final = (
     *(components, derived, states, discrete, modes, vectors, coupled, enumeration, record),
-    *(handed_on, constants, surrounded, cells, redeclared),
+    *(handed_on, constants, surrounded, cells, redeclared, hierarchy),
 )
 
 
