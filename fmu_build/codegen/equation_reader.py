@@ -121,9 +121,13 @@ class _Reader:
         return tuple(result)
 
     def _steps(self) -> Iterator[DiscreteRow]:
-        """Yield the updates of the memories of floor(), ceil() and trunc()."""
-        for value, memory in self.relations.floors.items():
-            yield DiscreteRow("assign", ("p", memory), value)
+        """Yield the updates of the memories of floor(), ceil() and trunc().
+
+        Relations in them are read from their memories too: those of time change only just after their event.
+        """
+        for value, memory in tuple(self.relations.floors.items()):
+            memories = freeze_comparisons(value.arguments, self.relations, self.unwatched, is_inside=True)
+            yield DiscreteRow("assign", ("p", memory), ex.substitute(value, memories))
 
     def _reject_missing_rows(self, slots: set[Slot]) -> None:
         """Reject discrete arrays with equations outside when-clauses: rumoca drops these equations."""

@@ -10,12 +10,12 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterator
-from typing import Final
+from typing import Final, NamedTuple
 
 from fmu_build.codegen.modelica_source.clauses import component_clauses
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, extensions, modified_classes
-from fmu_build.codegen.modelica_source.modifiers import Path, assigned, closing, values
+from fmu_build.codegen.modelica_source.modifiers import Path, closing, values
 
 _KINDS = r"(?:model|block|record|type|package|class)"
 _ATTRIBUTES: Final = frozenset(
@@ -31,16 +31,12 @@ def leaking_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
     for name, modifiers, clause in modified_classes(text):
         # In an extends clause or a short class, only what is given to parts of components leaks.
         is_base = re.match(r"extends\b|\w+\s+\w+\s*=", clause.plain) is not None
-        given = assigned(modifiers) | set(_redeclared(modifiers))
-        for path in sorted(given):
+        given = {**values(modifiers), **dict(_redeclared(modifiers))}
+        for path, value in sorted(given.items()):
             for depth in range(1 if is_base else 0, len(path) - 1):
                 for owner in sorted(inheritance.owners(name, path[:depth])):
-                    for sibling in siblings.of(owner, path[depth]):
-                        inside = inheritance.owners(owner, (sibling, path[depth]))
-                        arrives = path[depth + 1] in _ATTRIBUTES or any(
-                            any(inheritance.components(one, path[depth + 1])) for one in inside
-                        )
-                        if arrives and (*path[:depth], sibling, *path[depth:]) not in given:
+                    for sibling in siblings.of(owner, path[depth:], value):
+                        if (*path[:depth], sibling, *path[depth:]) not in given:
                             yield _explanation(path, depth, owner, sibling), clause
 
 
@@ -52,11 +48,11 @@ def _explanation(path: Path, depth: int, owner: str, sibling: str) -> str:
     )
 
 
-def _redeclared(modifiers: str) -> Iterator[Path]:
-    """Yield the paths that the modifiers of redeclared components set."""
+def _redeclared(modifiers: str) -> Iterator[tuple[Path, str]]:
+    """Yield the paths that the modifiers of redeclared components set, and the values."""
     for found in _REDECLARED.finditer(modifiers):
         inner = modifiers[found.end() : closing(modifiers, found.end() - 1) - 1]
-        yield from ((found["name"], *path) for path in assigned(inner))
+        yield from (((found["name"], *path), value) for path, value in values(inner).items())
 
 
 def arrays_over_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
@@ -103,27 +99,57 @@ class _Siblings:
     """
 
     def __init__(self, text: ModelText, inheritance: Inheritance) -> None:
-        self._found: defaultdict[str, set[tuple[str, str]]] = defaultdict(set)
-        own: defaultdict[str, set[tuple[str, str]]] = defaultdict(set)
+        self._inheritance = inheritance
+        self._found: defaultdict[str, set[_Sibling]] = defaultdict(set)
+        own: defaultdict[str, set[_Sibling]] = defaultdict(set)
         classes = list(text.named())
         for name, _, plain in classes:
             own[name.rpartition(".")[2]] |= set(_modified(plain))
         for name, _, plain in classes:
             bases = {one for base, _ in extensions(plain) for one in inheritance.ancestry(base)}
             elements = {component.name for component in component_clauses(plain)}
-            for element, component in {*_modified(plain), *(pair for base in bases for pair in own[base])}:
+            for sibling in {*_modified(plain), *(one for base in bases for one in own[base])}:
+                element = sibling.path[0]
                 inherited = any(any(inheritance.own_components(base, element)) for base in bases)
                 if element in elements or inherited:
-                    self._found[name.rpartition(".")[2]].add((element, component))
+                    self._found[name.rpartition(".")[2]].add(sibling)
 
-    def of(self, name: str, element: str) -> list[str]:
-        """The components of a class that are modified so."""
-        return sorted({component for part, component in self._found[name] if part == element})
+    def of(self, name: str, path: Path, value: str) -> list[str]:
+        """The components of a class that what is given to this path leaks into and changes."""
+        found = [one for one in self._found[name] if one.path[0] == path[0]]
+        return sorted(
+            component
+            for component in {one.component for one in found}
+            if self._has(name, component, path)
+            and {one.value for one in found if (one.component, one.path) == (component, path)} != {value}
+        )
+
+    def _has(self, name: str, component: str, path: Path) -> bool:
+        inside = self._inheritance.owners(name, (component, path[0]))
+        return path[1] in _ATTRIBUTES or any(
+            any(self._inheritance.components(one, path[1])) for one in inside
+        )
 
 
-def _modified(plain: str) -> Iterator[tuple[str, str]]:
-    """Yield what is named with something inside it in the modifiers of a component, and this component."""
+class _Sibling(NamedTuple):
+    """A component, a path that its modifiers set, and the value; empty unless it means the same elsewhere."""
+
+    component: str
+    path: Path
+    value: str
+
+
+def _modified(plain: str) -> Iterator[_Sibling]:
+    """Yield what is named with something inside it in the modifiers of components."""
     for component in component_clauses(plain):
-        yield from ((path[0], component.name) for path in assigned(component.modifiers) if len(path) > 1)
+        for path, value in values(component.modifiers).items():
+            if len(path) > 1:
+                yield _Sibling(component.name, path, value if _is_literal(value) else "")
     for _, modifiers in extensions(plain):
-        yield from ((path[1], path[0]) for path in assigned(modifiers) if len(path) > 2)
+        for path, value in values(modifiers).items():
+            if len(path) > 2:
+                yield _Sibling(path[0], path[1:], value if _is_literal(value) else "")
+
+
+def _is_literal(value: str) -> bool:
+    return re.fullmatch(r"true|false|[-+]?[\d.]+([eE][-+]?\d+)?", value) is not None

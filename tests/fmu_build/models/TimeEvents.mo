@@ -18,6 +18,18 @@ package TimeEvents "Events at times that are known beforehand"
     end when;
   end Steps;
 
+  model SteppedBranches "Steps of expressions whose branches change with time"
+    parameter Real t_1(unit="s") = 0.5;
+    Real up, down;
+    Integer n;
+    Real x(start=0, fixed=true);
+  equation
+    up = ceil(if time <= t_1 then 0.3 else -time - 1);
+    down = floor(if time >= 2*t_1 then 4.5 else 1.5);
+    n = integer(if time > t_1 then 2.5 else time);
+    der(x) = n;
+  end SteppedBranches;
+
   model SelfScheduling "Each event sets the time of the next: 0.1, 0.3, 0.7, 1.5, ..."
     discrete Real t_next(start=0.1, fixed=true, unit="s");
     discrete Integer n(start=0, fixed=true);

@@ -12,7 +12,7 @@ from typing import Final, Union
 
 from tests.fuzz.models.writer import Writer
 
-#: By name of a parameter its value, one for each element of an array of components; by that of a component,
+#: By name of a parameter its value or, in an array of components, one for each; by that of a component,
 #: modifiers of what is in it.
 Modifiers = Mapping[str, Union[float, tuple[float, ...], "Modifiers"]]
 
@@ -43,7 +43,7 @@ class _Class:
         lines += [f"    parameter Real {name} = {value};" for name, value in self.parameters.items()]
         for name, (kind, is_array, given) in self.components.items():
             size = f"[{_ELEMENTS}]" if is_array else ""
-            lines.append(f"    {kind.name} {name}{size}{_written(given, each=is_array)};")
+            lines.append(f"    {kind.name} {name}{size}{_written(given)};")
         return "\n".join((f"  model {self.name}", *lines, f"  end {self.name};"))
 
     def values(self, given: Modifiers) -> Iterator[tuple[str, float]]:
@@ -60,7 +60,8 @@ class _Class:
             inner = _merged(outer, own)
             for i in range(_ELEMENTS if is_array else 1):
                 place = f"{name}[{i + 1}]" if is_array else name
-                yield from ((f"{place}.{path}", one) for path, one in kind.values(_element(inner, i)))
+                given_here = _element(inner, i) if is_array else inner
+                yield from ((f"{place}.{path}", one) for path, one in kind.values(given_here))
 
 
 def _merged(outer: Modifiers, inner: Modifiers) -> Modifiers:
@@ -79,15 +80,17 @@ def _element(given: Modifiers, i: int) -> Modifiers:
     return {name: _element(one, i) if isinstance(one, Mapping) else one for name, one in found.items()}
 
 
-def _written(given: Modifiers, *, each: bool = False) -> str:
+def _written(given: Modifiers) -> str:
     parts = []
     for name, value in given.items():
         if isinstance(value, Mapping):
-            parts.append(f"{name}{_written(value, each=each)}")
+            parts.append(f"{name}{_written(value)}")
+        elif isinstance(value, tuple) and len(set(value)) == 1:
+            parts.append(f"each {name} = {value[0]}")
         elif isinstance(value, tuple):
             parts.append(f"{name} = {{{', '.join(map(str, value))}}}")
         else:
-            parts.append(f"{'each ' * each}{name} = {value}")
+            parts.append(f"{name} = {value}")
     return f"({', '.join(parts)})" if parts else ""
 
 
@@ -96,8 +99,9 @@ def _modifiers(random: Random, kind: _Class, *, is_array: bool, depth: int = 0) 
     found: dict[str, float | tuple[float, ...] | Modifiers] = {}
     for name in sorted(kind.names()):
         if random.random() < 0.3:
-            as_list = is_array and random.random() < 0.3
-            found[name] = tuple(_value(random) for _ in range(_ELEMENTS)) if as_list else _value(random)
+            one = _value(random)
+            other = _value(random) if random.random() < 0.3 else one
+            found[name] = (one, other) if is_array else one
     for name, (inner, inner_is_array, _) in kind.parts().items():
         if depth < 2 and random.random() < 0.4 and not (is_array and inner_is_array):
             given = _modifiers(random, inner, is_array=is_array or inner_is_array, depth=depth + 1)

@@ -70,6 +70,17 @@ def initial_when(t: Array) -> Values:
     return {"held": np.where(t < 1, 3.0, 6.0), "x": ramps(t, [1.0], [3, 6])}
 
 
+def stepped_branches(t: Array) -> Values:
+    """ceil(-time - 1) is -1 up to one second and -2 up to two."""
+    late = t > 0.5
+    return {
+        "up": np.where(late, -np.floor(t + 1.0), 1.0),
+        "down": np.where(t > 1.0, 4.0, 1.0),
+        "n": np.where(late, 2.0, 0.0),
+        "x": 2.0 * np.maximum(t - 0.5, 0.0),
+    }
+
+
 def level(t: Array) -> Values:
     return {"level": np.where(t < 0.5, 1.0, 9.0), "x": ramps(t, [0.5], [1, 9])}
 
@@ -128,6 +139,7 @@ CASES = (
     ramp_case(0.55, 0.7, "other times"),
     Case("TimeEvents.InitialWhen", 2.0, initial_when, events=at(1.0)),
     Case("TimeEvents.Level", 1.0, level, events=at(0.5)),
+    Case("TimeEvents.SteppedBranches", 1.8, stepped_branches, events=at(0.5, 1.0)),
     pulse_case(0.3, -1.0, "default"),
     pulse_case(0.37, -20.05, "begun long ago"),
     sinc_case(0.0, "from the start"),
