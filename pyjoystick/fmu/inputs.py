@@ -139,10 +139,9 @@ def _require_units(description: FmuDescription, inputs: pd.DataFrame) -> None:
     if units.get(time, "s") != "s":
         raise ParameterError(f"unit of {time}", units[time], "s")
     word = str(time).lower()
-    in_brackets = re.search(r"[(\[]\s*([^)\]]*?)\s*[)\]]", word)
-    found = _NOT_SECONDS.search(word)
-    if found or (in_brackets and in_brackets[1] not in _SECONDS):
-        unit = found[0] if found else in_brackets[1] if in_brackets else ""
+    in_brackets, elsewhere = re.search(r"[(\[]\s*([^)\]]*?)\s*[)\]]", word), _NOT_SECONDS.search(word)
+    unit = in_brackets[1] if in_brackets else elsewhere[0] if elsewhere else "s"
+    if unit not in _SECONDS:
         raise SeriesError(_INDEX, f"is named {time!r}; must be time in s, not {unit}")
     for name in inputs.columns:
         wanted = description.variables[name].unit

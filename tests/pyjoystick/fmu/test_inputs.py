@@ -214,3 +214,9 @@ def test_parameters_come_as_a_mapping(joystick: Fmu) -> None:
     np.testing.assert_array_equal(
         joystick.run(TIME, parameters=row)["theta"], joystick.run(TIME, parameters=dict(row))["theta"]
     )
+
+
+@pytest.mark.parametrize("name", ["time", "t (s)", "Zeit [s]", "sample time (s)", "seconds", "time_s", None])
+def test_names_of_times_in_seconds(joystick: Fmu, name: str | None) -> None:
+    table = pd.DataFrame({"T": [0.0, 1.0]}, index=pd.Index([0.0, 0.5], name=name))
+    assert joystick.run(TIME, inputs=table, outputs=["T"])["T"].max() == 1.0
