@@ -102,6 +102,17 @@ def test_a_pulse_is_not_stepped_over_at_rest(joystick_path: Path, width: float) 
     assert np.abs(run["theta"] - expected["theta"]).max() < 1e-7
 
 
+def test_a_steep_rise_elsewhere_hides_no_pulse(joystick_path: Path) -> None:
+    index = [0.0, 0.6, 0.6005, 0.601, 0.9, 0.9 + 1e-12, 1.0]
+    table = pd.DataFrame({"T": [0.0, 0.0, 0.2, 0.0, 0.0, 1.0, 1.0]}, index=index)
+    time = np.linspace(0.0, 1.0, 51)
+    with Fmu(joystick_path) as joystick:
+        expected = joystick.run(time, inputs=table)["theta"].loc[:0.89]
+    found = run_model_exchange(joystick_path, time, inputs=table)["theta"].loc[:0.89]
+    assert np.abs(expected).max() > 1e-3
+    np.testing.assert_allclose(found, expected, atol=1e-7)
+
+
 def test_of_more_kinks_those_after_a_pause_are_events(mixed_path: Path) -> None:
     time = np.linspace(0.0, 2.0, 20_001)
     ripple = pd.DataFrame({"u": np.where(time > 1.0, 1.0 + 0.5 * (np.arange(20_001) % 2), 0.0)}, index=time)
