@@ -17,7 +17,6 @@ from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, extensions, modified_classes
 from fmu_build.codegen.modelica_source.modifiers import Path, closing, values
 
-_KINDS = r"(?:model|block|record|type|package|class)"
 _ATTRIBUTES: Final = frozenset(
     {"start", "fixed", "min", "max", "nominal", "unit", "displayUnit", "stateSelect"}
 )
@@ -84,7 +83,7 @@ def arrays_over_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
                 f"what a component of the class {simple}, or of one that extends it, is given for {part} may "
                 f"be lost, because {owner} is given an array for its own {part}; give it an array parameter"
             )
-            yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
+            yield from ((what, found) for found in text.headers(simple))
 
 
 def _is_one(value: str) -> bool:

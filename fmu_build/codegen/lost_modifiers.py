@@ -99,7 +99,7 @@ def _contradicted_bases(text: ModelText) -> Iterator[tuple[str, Construct]]:
         for base, path in inheritance.contradictions(simple):
             if len(text.of(base)) == 1:
                 what = f"{simple} inherits {base} twice, with different values of {'.'.join(path)}"
-                yield from ((what, found) for found in text.find([rf"\b{_KINDS}\s+{simple}\b"]))
+                yield from ((what, found) for found in text.headers(simple))
 
 
 def _nested_redeclarations(text: ModelText) -> Iterator[tuple[str, Construct]]:

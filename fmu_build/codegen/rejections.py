@@ -181,9 +181,10 @@ def _reject_reordered_arguments(model: LoweredModel) -> None:
     """Reject named arguments out of order in ``(a, b) := f(...)``: rumoca takes them in order."""
     functions = model.flat["functions"]
     for function in functions.values():
-        for call in expressions(function["body"], "FunctionCall"):
-            inputs = functions.get(call["comp"]["name"], {}).get("inputs", ()) if "outputs" in call else ()
-            for number, name in _named_arguments(model, call) if "outputs" in call else ():
+        calls = [call for call in expressions(function["body"], "FunctionCall") if "outputs" in call]
+        for call in calls:
+            inputs = functions.get(call["comp"]["name"], {}).get("inputs", ())
+            for number, name in _named_arguments(model, call):
                 if number >= len(inputs) or inputs[number]["name"] != name:
                     raise model.unsupported(
                         f"the argument {name} would be taken for another, because a call in a function that "

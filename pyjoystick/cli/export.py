@@ -112,7 +112,7 @@ def run(
             print_progress(f"wrote {path}")
         if file.joystick.stops:
             limit = math.degrees(file.joystick.stops.theta_stop)
-            print_warning(f"{built[-1].name} has no stops: its torque is valid within {limit:.6g} degrees")
+            print_warning(f"{built[-1].name} has no stops: its torque is valid up to {limit:.6g} degrees")
         write(
             folder / f"{own}.ssp" if ssp else None,
             lambda path: reports.export_ssp(file, built[0], path, law=law),

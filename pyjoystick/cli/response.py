@@ -114,7 +114,7 @@ def run(
     if vary is None:
         parsing.refuse_given("needs --vary", {"--csv": csv, "--periods": None if periods == 1 else periods})
     else:
-        _require_plausible(*vary)
+        _check_range(*vary)
     shaking = forced_motion.Shaking(torque, frequency)
     response = None
     with (
@@ -143,7 +143,7 @@ def run(
         write_json(json, lambda notes: forced_motion.response_json(once, found, response, notes))
 
 
-def _require_plausible(name: str, *ends: float) -> None:
+def _check_range(name: str, *ends: float) -> None:
     """Reject values of --vary that no joystick has, or that its own options do not take."""
     low, high = _BOUNDS.get(name, (-math.inf, math.inf))
     for end in ends:

@@ -109,7 +109,7 @@ class Plan:
             "tolerance": tolerance,
         }
         self._key = next(_keys)
-        self._rates: set[tuple[str, str | None]] = set()
+        self._rates: set[tuple[str, str]] = set()
         self._batches: dict[int, NDArray[np.bool_]] = {}
         self._loop: Loop | None = None
         log_runs(description, self.time, parameters, self.varied, tolerance)
@@ -191,18 +191,24 @@ class Plan:
 
     def _require_rates(self, reductions: Sequence[Reduction], numbers: NDArray[Any]) -> None:
         """Reject peaks by the derivative of another variable, as the first run shows them."""
-        wanted = {(one.variable, one.derivative) for one in reductions if isinstance(one, Peaks)}
-        for variable, derivative in sorted((v, d) for v, d in wanted - self._rates if d is not None):
-            try:
-                samples = self.run(numbers[0]) if len(numbers) else np.empty((0, len(self.outputs)))
-            except SimulationError:
-                return  # the batch will say why
+        pairs = {
+            (one.variable, one.derivative)
+            for one in reductions
+            if isinstance(one, Peaks) and one.derivative is not None
+        } - self._rates
+        if not pairs or not len(numbers):
+            return
+        try:
+            samples = self.run(numbers[0])
+        except SimulationError:
+            return  # the batch will say why
+        for variable, derivative in sorted(pairs):
             value, slope = (samples[:, self.outputs.index(name)] for name in (variable, derivative))
-            ratio = ratio_to_rate(self.time, value, slope, smallest=0.0) if len(samples) else None
+            ratio = ratio_to_rate(self.time, value, slope, smallest=0.0)
             if ratio is not None:
                 hint = f"{variable} changes {ratio:.3g} times as fast"
                 raise ParameterError("derivative", derivative, f"the time derivative of {variable}", hint)
-            self._rates.add((variable, derivative))
+        self._rates |= pairs
 
     def _carry_out(
         self,

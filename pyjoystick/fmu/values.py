@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from numbers import Integral, Real
-from typing import Final, SupportsFloat
+from typing import Final
 
 import numpy as np
 
@@ -96,23 +96,16 @@ def checked_value(variable: Variable, value: object) -> Value:
             return value
         raise ParameterError(variable.name, repr(value), "text without null characters")
     kind = Integral if variable.type in INTEGERS else Real
-    if isinstance(value, bool | np.bool_) or not isinstance(value, kind) or not _is_finite(value):
+    if isinstance(value, bool | np.bool_) or not isinstance(value, kind):
         raise ParameterError(variable.name, value, allowed_values(variable))
     number = int(value) if isinstance(value, Integral) else float(value)
     low, high = limits(variable)
-    if not low <= number <= high:
+    if not low <= number <= high:  # NaN and infinities too
         hint = f"its type is {variable.type}" if variable.type in (*INTEGERS, "Float32") else ""
         raise ParameterError(variable.name, value, allowed_values(variable), hint)
     if variable.items and number not in variable.items:
         raise ParameterError(variable.name, value, f"one of {', '.join(map(str, variable.items))}")
     return number if variable.type in INTEGERS else float(number)
-
-
-def _is_finite(value: SupportsFloat) -> bool:
-    try:
-        return math.isfinite(value)
-    except OverflowError:  # a whole number of more than 308 digits
-        return False
 
 
 def whole_number_for(variable: Variable, value: float) -> int:

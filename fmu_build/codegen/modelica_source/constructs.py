@@ -69,6 +69,10 @@ class ModelText:
         found = self.of(simple_name)
         return any(re.search(pattern, text) for text in found) if found else None
 
+    def headers(self, simple_name: str) -> list[Construct]:
+        """Return the first words, such as ``model M``, of the classes with this simple name, for messages."""
+        return self.find([rf"\b(?:model|block|record|type|package|class)\s+{simple_name}\b"])
+
     def of(self, simple_name: str) -> list[str]:
         """Return the texts, without comments and strings, of the classes with this simple name."""
         return [text for name, text in self._classes.items() if name.rpartition(".")[2] == simple_name]

@@ -156,7 +156,7 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     parts = []
     for i, name in enumerate(names):
         if name.casefold() in _TOTALS:
-            advice = "remove the row: what it adds up is here already"
+            advice = "remove the row: it would count the other parts twice"
             raise RecordError(str(path), "is no part", advice, rows=[file.rows[i]], value=name)
         numbers = {quantity: float(values[i]) for quantity, values in series.items()}
         if name in names[:i]:

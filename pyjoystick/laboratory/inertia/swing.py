@@ -92,7 +92,7 @@ def period_of_readings(
     times = np.array([positive(f"readings[{i}]", time, "s") for i, time in enumerate(readings)])
     if times.max() > _ALIKE * times.min():
         given = f"from {times.min():g} to {times.max():g} s"
-        raise ParameterError("readings", given, f"times of {swings} swings of one pendulum, about alike")
+        raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
     last_amplitude = last_amplitude or first_amplitude
     for name, one in (("first_amplitude", first_amplitude), ("last_amplitude", last_amplitude)):
         not_negative(name, angle(name, one.value), "rad")

@@ -89,7 +89,7 @@ def compare_accelerometer(path: Path, angle: Record, setup: AccelerometerSetup) 
     if abs(found.correlation_at_lag) < _LEAST_CORRELATION:
         notes.append(
             f"does not resemble the angle's acceleration at any delay up to {LARGEST_LAG:g} s (correlation "
-            f"{found.correlation_at_lag:.2f}): is it of the same motion? Otherwise give --delay"
+            f"{found.correlation_at_lag:.2f}): is it of the same motion? If so, give --delay"
         )
     elif found.correlation_at_lag < 0.0:
         notes.append("opposes the angle: if its positive direction is backward, add --backward")

@@ -88,8 +88,8 @@ def _without_stops(values: Sequence[FmuValue]) -> str:
     if stop is None:
         return ""
     return (
-        f"<p><b>Valid within the stops only</b>, at {math.degrees(stop):.6g} degrees: beyond them, no torque "
-        "belongs to a motion, and this model answers as if there were no stops.</p>"
+        f"<p><b>Valid within the stops only</b>, at {math.degrees(stop):.6g} degrees. This model has no "
+        "stops: beyond that angle, its torque means nothing.</p>"
     )
 
 

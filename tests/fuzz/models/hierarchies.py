@@ -126,7 +126,9 @@ def _random_class(random: Random, name: str, others: list[_Class]) -> _Class:
         if others and one not in parts and random.random() < 0.5:
             kind, is_array = random.choice(others), random.random() < 0.2
             components[one] = (kind, is_array, _modifiers(random, kind, is_array=is_array))
-    return _Class(name, base, parameters or {} if base else {"a": _value(random), **parameters}, components)
+    if base is None:
+        parameters.setdefault("a", _value(random))
+    return _Class(name, base, parameters, components)
 
 
 def hierarchy(w: Writer) -> None:
