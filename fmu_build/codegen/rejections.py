@@ -27,6 +27,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_overridden_branches(model)
     _reject_unguarded_actions(model)
     _reject_repeated_samples(model)
+    _reject_conditions_of_their_results(model)
     _reject_reordered_arguments(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
@@ -175,6 +176,42 @@ def _reject_repeated_samples(model: LoweredModel) -> None:
                     "common period and count",
                     branch["span"],
                 )
+
+
+def _reject_conditions_of_their_results(model: LoweredModel) -> None:
+    """Reject a when-clause that sets a discrete Real on which its condition depends: it cannot settle.
+
+    rumoca reports such variables of other types.
+    """
+    chains = [(chain["first"], *chain["else_when"]) for chain in model.flat["when_chains"]]
+    branches = [(one["condition"], one["equations"], one["span"]) for chain in chains for one in chain]
+    for algorithm in model.flat["algorithms"]:
+        for clause in expressions(algorithm, "When"):
+            branches += [(one["cond"], one["stmts"], algorithm["span"]) for one in clause["blocks"]]
+    for condition, statements, span in branches:
+        targets = {one["target"] for one in expressions(statements, "Assign")}
+        for one in expressions(statements, "Assignment"):
+            targets.add(".".join(part["ident"] for part in one["comp"]["parts"]))
+        for name in _read_now(condition):
+            if name in targets:
+                raise model.unsupported(
+                    f"the condition of a when-clause reads {name}, which the clause sets; write pre({name})",
+                    span,
+                )
+
+
+def _read_now(tree: Any) -> Iterator[str]:
+    """Yield the variables that an expression reads outside of pre(), edge() and change()."""
+    if isinstance(tree, dict):
+        if "VarRef" in tree:
+            yield tree["VarRef"]["name"]["name"]
+        if tree.get("BuiltinCall", {}).get("function") in ("Pre", "Edge", "Change"):
+            return
+        tree = tree.values()
+    elif not isinstance(tree, list):
+        return
+    for child in tree:
+        yield from _read_now(child)
 
 
 def _reject_reordered_arguments(model: LoweredModel) -> None:

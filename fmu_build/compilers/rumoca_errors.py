@@ -151,11 +151,12 @@ def _syntax_error(file: Path) -> str | None:
 
 
 def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildError:
-    """Return the error for a panic, whose text names a construct and its byte range but not its file."""
+    """Return the error for a panic, whose text may name a construct and its byte range but not its file."""
     source = ModelText(model, {file: read_text(file) for file in files})
     meaning, span = meaning_of(text, source), _SPAN.search(text)
-    if meaning is not None and span is not None:
-        found = source.at_bytes(int(span[1]), int(span[2]), _DERIVATIVE)
+    if meaning is not None:
+        at_bytes = span and source.at_bytes(int(span[1]), int(span[2]), _DERIVATIVE)
+        found = at_bytes or meaning.search(text, source)
         what = meaning.text(text, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
     detail = re.search(r'detail: "([^"]*)"', text)

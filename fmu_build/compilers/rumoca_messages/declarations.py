@@ -96,6 +96,13 @@ DECLARATIONS = (
         (r"\bredeclare\s+type\s+\w+",),
     ),
     Meaning(
+        r"`(?P<name>\w+)` cannot be evaluated: type mismatch: expected numeric or array, got Array",
+        UnsupportedModelError,
+        "the value of the parameter {name} is not supported: a function with several results within an "
+        "expression, or a sum of an array and a number; give the result to a parameter of its own first",
+        (r"\bparameter\s+\w+\s+(?=NAME\b)",),
+    ),
+    Meaning(
         r"`(?P<name>\w+)` cannot be evaluated: type mismatch: expected Integer, got Real",
         UnsupportedModelError,
         "the value of {name} is a range of numbers that are not whole, which is not supported; write it out",

@@ -110,6 +110,13 @@ EVENTS = (
         (r"(?<![\w.])NAME\s*=(?!=)",),
     ),
     Meaning(
+        r"analysis proves the exact comprehension occurrence",
+        UnsupportedModelError,
+        "an array comprehension or a sum() with an iterator is not supported in a when-clause; give it to a "
+        "variable in an equation outside of it",
+        (r"[({](?=[^(){}]*\bfor\s+\w+\s+in\b)", r"\bfor\s+\w+\s+in\b"),
+    ),
+    Meaning(
         rf"`{QUALIFIED}` participates in a current-value dependency cycle",
         ModelicaError,
         "the discrete variable `{name}` depends on itself at the same instant",

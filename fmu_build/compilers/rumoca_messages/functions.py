@@ -135,6 +135,19 @@ FUNCTIONS = (
         (r"\bfunction\b",),
     ),
     Meaning(
+        r"missing function loop initial value definition",
+        UnsupportedModelError,
+        "a loop of a function sets a variable that has no value before the loop; give it one",
+        (r"\([\w\s,.]*,[\w\s,.]*\)\s*:=", r"\bfor\s+\w+\s+in\b"),
+    ),
+    Meaning(
+        r"discrete solved form: target identity \d+ reads discrete-value identity \d+ before",
+        UnsupportedModelError,
+        "an algorithm section reads the value of a discrete variable before the assignment that sets it; "
+        "write pre() of it, or an equation",
+        (r"\balgorithm\b",),
+    ),
+    Meaning(
         r"missing exact function-selection identity",
         UnsupportedModelError,
         "which function is called through a redeclared class is not clear here; write its full name",

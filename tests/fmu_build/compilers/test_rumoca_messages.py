@@ -98,6 +98,47 @@ _CASES = {
         UnsupportedModelError,
         "M.mo:4:3: a when-clause with several sample() in its condition is not supported",
     ),
+    "a condition that reads what its clause sets": Case(
+        "discrete Real level(start=1, fixed=true);",
+        "when time > level then level = pre(level) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:8: the condition of a when-clause reads level, which the clause sets; write pre(level)",
+    ),
+    "such a condition in an algorithm": Case(
+        "discrete Real level(start=1, fixed=true);",
+        "algorithm when {time > 7, time > level} then level := pre(level) + 1; end when;",
+        UnsupportedModelError,
+        "the condition of a when-clause reads level, which the clause sets; write pre(level)",
+    ),
+    "such a condition of an Integer in an algorithm": Case(
+        "Integer n(start=1, fixed=true);",
+        "algorithm when time > n then n := pre(n) + 1; end when;",
+        UnsupportedModelError,
+        "M.mo:4:3: an algorithm section reads the value of a discrete variable before the assignment",
+    ),
+    "an iterator in a when-clause": Case(
+        "discrete Real d[3];",
+        "when time > 0.5 then d = {i*time for i in 1:3}; end when;",
+        UnsupportedModelError,
+        "M.mo:4:28: an array comprehension or a sum() with an iterator is not supported in a when-clause",
+    ),
+    "one of several results in the expression of a parameter": Case(
+        "function f input Real x; output Real a; output Real b; algorithm a := x; b := 2*x; end f; "
+        "parameter Real p = f(3) + 1;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:93: the value of the parameter p is not supported: a function with several results",
+    ),
+    "several results in a loop of a function": Case(
+        "function g input Real x; output Real a; output Real b; algorithm a := x; b := 2*x; end g; "
+        + _function(
+            "y := 0; for i in 1:3 loop (u, v) := g(i*x); y := y + u + v; end for;",
+            "protected Real u; Real v;",
+        ),
+        "y = f(time);",
+        UnsupportedModelError,
+        "a loop of a function sets a variable that has no value before the loop; give it one",
+    ),
     "an element as the condition of a component": Case(
         "parameter Boolean u[2] = {true, false}; Real y if u[1];",
         "",
