@@ -21,6 +21,7 @@ from pyjoystick.fmu.drive import IntermediateUpdate
 from pyjoystick.fmu.errors import THE_END, FmuEndedError, FmuRunError
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.log import FmuLog
+from pyjoystick.fmu.stepping.kernel import stopped_short
 from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, DISCARD, FATAL, FLAGS_SIZE, POINT, Workspace
 from pyjoystick.fmu.values import INTEGERS, Value, whole_number_for
 
@@ -148,7 +149,7 @@ class Instance:
         path, messages = self.description.path, tuple(self.log.messages())
         if has_ended:
             raise FmuEndedError(reached, THE_END, path, messages)
-        if is_early:
+        if is_early or stopped_short(reached, time, length):
             raise FmuRunError(time, "fmi3DoStep came back before the end of the step", path, messages)
 
     def save(self) -> int:

@@ -16,7 +16,7 @@ from pyjoystick.fmu.interrupts import CtrlC
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.preparation import Preparation, prepare
 from pyjoystick.fmu.stepping.calls import access2, access3, bound, change_mode, do_step2, do_step3
-from pyjoystick.fmu.stepping.kernel import start
+from pyjoystick.fmu.stepping.kernel import start, stopped_short
 from pyjoystick.fmu.stepping.program import (
     BETWEEN_RUNS,
     EARLY,
@@ -194,6 +194,7 @@ class _Step:
         address, flags = int(preparation.program.functions[STEP]), workspace.flags_address
         arguments = workspace.instance, self._time, self._length, int(no_going_back)
         self._told = (c_ubyte * FLAGS_SIZE).from_address(flags)
+        self._reached = c_double.from_address(flags + REACHED)
         if preparation.interface.version == 2:
             self._call = bound(do_step2, address, *arguments, is_short=False)
         else:
@@ -207,7 +208,7 @@ class _Step:
             # FMI 2 FMUs leave the flags alone.
             if self._told[8]:
                 return ENDED
-            if self._told[16]:
+            if self._told[16] or stopped_short(self._reached.value, time, length):
                 return EARLY
         return status
 

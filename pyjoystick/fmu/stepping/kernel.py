@@ -51,6 +51,8 @@ from pyjoystick.fmu.stepping.reducing import Operation, reduce_run
 from pyjoystick.motion import EXTREMA_FUNCTIONS
 from pyjoystick.support import FloatArray
 
+_ROUNDING = 1e-9
+
 
 def run_many(
     program: Program,
@@ -242,7 +244,18 @@ def _step(program: Program, workspace: Workspace, point: int) -> int:
         return status
     if workspace.flags[8]:
         return ENDED
-    return EARLY if workspace.flags[16] else status
+    is_early = workspace.flags[16] or stopped_short(
+        workspace.flags.view(np.float64)[REACHED // 8], time, length
+    )
+    return EARLY if is_early else status
+
+
+def stopped_short(reached: float, begin: float, length: float) -> bool:
+    """Whether fmi3DoStep ended inside of the step from `begin`, even if it does not report an early return.
+
+    The start of the step does not count: an FMU may leave `reached` as it was.
+    """
+    return begin < reached < begin + length - _ROUNDING * length
 
 
 #: Functions to compile for `run_many`, each after those that it calls.
@@ -254,6 +267,7 @@ FUNCTIONS = (
     _access,
     transfer,
     _set_inputs,
+    stopped_short,
     _step,
     _begin,
     start,

@@ -35,6 +35,7 @@ class Trouble(IntEnum):
     CRASHES = 14
     PRINTS = 15
     KEEPS_STATE = 16
+    STOPS_SHORT = 17
 
 
 def compile_library(version: int, folder: Path) -> Path:

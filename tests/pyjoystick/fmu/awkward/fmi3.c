@@ -82,9 +82,10 @@ fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 time, fmi3Float64 lengt
     const bool is_due = time >= it->model.when;
     *event = false;
     *early = is_due && it->model.trouble == COMES_BACK_EARLY;
+    const bool is_short = *early || (is_due && it->model.trouble == STOPS_SHORT);
     const int status = model_step(&it->model, time, length);
     *terminate = it->model.has_ended;
-    *reached = *early ? time + 0.5 * length : it->model.reached;
+    *reached = is_short ? time + 0.5 * length : it->model.reached;
     return tell(it, status, "trouble", time);
 }
 

@@ -34,7 +34,8 @@ enum {
     ABORTS,
     CRASHES,
     PRINTS,
-    KEEPS_STATE
+    KEEPS_STATE,
+    STOPS_SHORT
 };
 
 /* The same in both versions of FMI. */
