@@ -15,6 +15,7 @@ from fmu_build.codegen.equations import Equations
 from fmu_build.codegen.followed import with_followed_parameters
 from fmu_build.codegen.functions import FunctionLibrary
 from fmu_build.codegen.held_values import with_values_from_before
+from fmu_build.codegen.left_limits import reject_left_limits_of_inputs
 from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.open_connectors import without_open_connectors
@@ -93,6 +94,7 @@ def _read(lowered: LoweredModel) -> _Read:
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
     lowered = with_named_states(lowered, equations)
     reject_other_states(lowered, equations)
+    reject_left_limits_of_inputs(lowered, equations)
     equations, left_out = without_open_connectors(lowered, equations)
     return _Read(lowered, functions, equations, left_out, StartValues(lowered))
 

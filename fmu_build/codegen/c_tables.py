@@ -11,6 +11,7 @@ from fmu_build.codegen.c_expression import Writer
 from fmu_build.codegen.c_function import c_string
 from fmu_build.codegen.equations import Equations, EventSensitivities, watched_conditions
 from fmu_build.codegen.expression import Expression, Slot
+from fmu_build.codegen.left_limits import left_limits
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.start_values import StartValues
 from fmu_build.codegen.tangents import Tangents
@@ -145,7 +146,9 @@ def _properties(e: Equations, variables: Sequence[StoredVariable]) -> dict[str, 
     return {
         "actions_follow_states": bool(watched_conditions(e)),
         "actions_read_algebraic": _read_algebraic(e, [action.condition for action in e.actions]),
-        "discrete_reads_algebraic": _read_algebraic(e, [row.value for row in e.discrete]),
+        "discrete_reads_algebraic": bool(left_limits(e))
+        or _read_algebraic(e, [row.value for row in e.discrete]),
+        "has_left_limits": bool(left_limits(e)),
         "roots_follow_time": ex.TIME in followed,
         "roots_follow_inputs": not continuous_inputs.isdisjoint(followed),
     }

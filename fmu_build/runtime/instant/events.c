@@ -1,5 +1,6 @@
 #include "events.h"
 #include "actions.h"
+#include "block.h"
 #include "iteration.h"
 #include "sensitivity.h"
 #include "time_events.h"
@@ -28,6 +29,8 @@ static EventStatus iterate(Iteration *iteration, Values *values, bool continuous
                            bool *states_changed)
 {
     EventStatus status = EVENT_OK;
+    if (model.has_left_limits && !model_algebraics(values->time, values->y, values->p))
+        return fail(reporter, blocks_explain(values->time, values->y, values->p, iteration->text));
     bool again = clocks_tick(values);
     iteration_copy_pre(values);
     if (continuous)

@@ -161,7 +161,8 @@ typedef struct {
     const ActionKind *actions;
     bool actions_follow_states;    /* some action can become due between events: its condition reads y or time */
     bool actions_read_algebraic;   /* some action's condition reads an algebraic variable */
-    bool discrete_reads_algebraic; /* some discrete equation reads an algebraic variable */
+    bool discrete_reads_algebraic; /* some discrete equation, or a pre(), reads an algebraic variable */
+    bool has_left_limits;          /* a pre() reads an algebraic variable */
     size_t initial_event_slot; /* p[slot] is 1 during initialization; or NO_SLOT */
     size_t homotopy_slot; /* p[slot] is 1 where homotopy() is its simplified expression, 0 where it is the actual one,
                            * as it is after initialization; or NO_SLOT */

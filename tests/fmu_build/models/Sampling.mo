@@ -258,4 +258,23 @@ package Sampling "sample(), discrete states and discrete controllers"
       reinit(x, 0);
     end when;
   end MeanFromStart;
+
+  model LeftLimits "pre() of algebraic variables: their values just before the event"
+    Real x(start=1, fixed=true);
+    Real y = 2*x, wave = sin(time), root(start=1), sum = x + n;
+    Real level = if time < 0.5 then 3 else 1;
+    Integer n(start=0, fixed=true);
+    discrete Real d[5](each start=0, each fixed=true);
+    discrete Real crossing(start=0, fixed=true);
+  equation
+    der(x) = -x;
+    root^3 + root = y;
+    when sample(0.25, 0.25) then
+      n = pre(n) + 1;
+      d = {pre(y), pre(wave), pre(root)^3 + pre(root), sum - pre(sum), pre(level)};
+    end when;
+    when y < 1.1 then
+      crossing = pre(y);
+    end when;
+  end LeftLimits;
 end Sampling;

@@ -22,6 +22,7 @@ _ACT_AT_START = {
     "Sampling.Guarded",
     "Sampling.HeldSine",
     "Sampling.InitialPrevious",
+    "Sampling.LeftLimits",
     "Sampling.MeanFromStart",
     "Sampling.PulseTrain",
     "Sampling.SampleOrState",

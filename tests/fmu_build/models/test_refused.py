@@ -62,6 +62,9 @@ REFUSALS = (
     Refusal("Incomplete", ModelNotFoundError, r"partial"),
     Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation for a discrete variable"),
     Refusal("InputChange", ModelicaError, r"change\("),
+    Refusal(
+        "InputLimit", UnsupportedModelError, r"pre\(y\) is not supported, because it follows the input u"
+    ),
     Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
     Refusal("LeftOut", UnsupportedModelError, r"first result"),
     Refusal("LocalRecord", UnsupportedModelError, r"the record r in function"),

@@ -157,6 +157,19 @@ def mean_from_start(t: Array, start: float = 0.0) -> Values:
     return {"mean": np.where(done > 0, since - 0.25, 0.0), "x": 0.5 * (t**2 - since**2)}
 
 
+def left_limits(t: Array) -> Values:
+    """At each tick, the values just before it; n jumps by one there, the level after half a second."""
+    tick = 0.25 * np.floor(4 * t + 1e-9)
+    ticked, y = tick > 0, 2 * np.exp(-tick)
+    before = [y, np.sin(tick), y, np.ones_like(t), np.where(tick > 0.6, 1.0, 3.0)]
+    rows = {f"d[{k}]": np.where(ticked, row, 0.0) for k, row in enumerate(before, 1)}
+    return rows | {"crossing": np.where(t > np.log(2 / 1.1), 1.1, 0.0)}
+
+
+def left_limit_events(stop: float) -> Array:
+    return np.append(ticks(0.25, 0.25)(stop), np.log(2 / 1.1))
+
+
 MEAN_FROM_START = Case("Sampling.MeanFromStart", 2.2, mean_from_start, events=ticks(0.5, 0.5))
 CASES = (
     Case("Sampling.Counter", 1.0, counter, events=ticks(0.0, 0.125)),
@@ -172,5 +185,6 @@ CASES = (
     initial_previous(2.0, 3.0),
     initial_previous(-3.0, 2.75),
     MEAN_FROM_START,
+    Case("Sampling.LeftLimits", 1.2, left_limits, events=left_limit_events),
     Case("Sampling.SampledAlgorithm", 1.0, sampled_algorithm, events=ticks(0.1, 0.1)),
 )
