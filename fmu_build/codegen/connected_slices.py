@@ -1,6 +1,7 @@
 """Reject connections of elements in an order of their own.
 
-rumoca connects the elements of ``a.y[{2, 1}]`` in the order of their declaration, as those of ``a.y[:]``.
+rumoca connects the elements of ``a.y[{2, 1}]`` in the order of their declaration, as those of ``a.y[:]``, and
+for ``a.y[:, 2]`` of a square matrix those of ``a.y[2, :]``.
 """
 
 from __future__ import annotations
@@ -17,8 +18,11 @@ _CONNECTED_ELEMENTS = r"\bconnect\s*\([^;]*\["
 #: Subscripts, with brackets inside of them.
 _SUBSCRIPTS = re.compile(r"\[((?:[^\[\]]|\[[^\[\]]*\])*)\]")
 #: Functions that give a number, and their calls with arguments that may be arrays.
+#: A colon before an index.
+_COLUMN = re.compile(r"(?:^|,)\s*:\s*,(?!\s*:\s*$)")
 _TO_NUMBERS = {"abs", "div", "integer", "max", "min", "mod", "ndims", "product", "rem", "size", "sum"}
 _OF_ARRAYS = re.compile(r"\b(?:max|min|ndims|product|size|sum)\s*\([^()]*\)")
+_WHY = "because elements would be connected in the order of their declaration; connect them one by one"
 _ARRAY_TYPE = re.compile(r"=\s*[\w.]+\s*\[")
 _ITERATOR = re.compile(r"(?:\bfor|,)\s+(\w+)\s+in\b")
 
@@ -40,13 +44,17 @@ def reject_reordered_connections(model: LoweredModel) -> None:
         known = own_arrays | (arrays - own_others - set(_ITERATOR.findall(own)))
         for found in re.finditer(_CONNECT, own):
             call = " ".join(own[found.start() : closing(own, found.end() - 1)].split())
-            if any(_is_vector(one, known) for one in _SUBSCRIPTS.findall(call)):
-                places = [one for one in text.find([_CONNECT]) if one.plain == call]
-                raise model.unsupported_at(
-                    "a vector as a subscript in connect() is not supported, because the compiler would "
-                    "connect the elements in the order of their declaration; connect them one by one",
-                    places[0],
-                )
+            for subscripts in _SUBSCRIPTS.findall(call):
+                if (what := _fault(subscripts, known)) is not None:
+                    places = [one for one in text.find([_CONNECT]) if one.plain == call]
+                    raise model.unsupported_at(f"{what} in connect() is not supported, {_WHY}", places[0])
+
+
+def _fault(subscripts: str, arrays: Container[str]) -> str | None:
+    """Return what rumoca would connect in another order, if anything."""
+    if _COLUMN.search(subscripts):
+        return "a column of a matrix"
+    return "a vector as a subscript" if _is_vector(subscripts, arrays) else None
 
 
 def _declared(plain: str, types: Container[str]) -> tuple[set[str], set[str]]:

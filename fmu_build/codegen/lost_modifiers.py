@@ -21,6 +21,7 @@ from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.codegen.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
 from fmu_build.codegen.modelica_source.text import inside_parentheses
+from fmu_build.codegen.record_constructors import mistaken_constructors
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 
@@ -64,6 +65,7 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
         _nested_redeclarations,
         _modifiers_of_classes,
         values_over_members,
+        mistaken_constructors,
         _modifiers_of_base_functions,
         changed_modifiers,
         changed_constants,

@@ -1,7 +1,8 @@
 """Names that rumoca resolves to other classes than Modelica does.
 
 rumoca keeps one function for each name as the source calls it: `own()` in two models with a function of their
-own, or `Medium.h()` where two components have different media, become one function. A class that is declared
+own, or `Medium.h()` where two components have different media, become one function. The leading dot of a global
+name is lost. A class that is declared
 in a model, such as a function, is evaluated once for all instances of the model. A function with the name of
 a built-in one is not called, and an outer class stands for itself. What is called by its full name is right.
 """
@@ -23,6 +24,7 @@ _KIND = r"(?:model|block|class|package|connector|record|function|type)"
 _OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"
 _ALIAS = re.compile(r"\b(?:package|import)\s+(?P<name>\w+)\s*=\s*(?P<meaning>[\w.]+\s*\(?)")
 _REDECLARED_FUNCTION = r"\bredeclare\s+(?:replaceable\s+)?function\s+(?:extends\s+)?(\w+)"
+_GLOBAL = r"(?<![\w.\]')])(?<![\w.\]')]\s)\.\s*[A-Za-z_]\w*"
 _BUILT_IN = re.compile(
     r"abs|sign|sqrt|div|mod|rem|ceil|floor|integer|a?sin|a?cos|a?tan|atan2|sinh|cosh|tanh|exp|log|log10|min|max|"
     r"sum|product|size|ndims|zeros|ones|fill|identity|diagonal|linspace|transpose|outerProduct|symmetric|cross|"
@@ -33,7 +35,7 @@ _BUILT_IN = re.compile(
 def reject_mistaken_names(model: LoweredModel) -> None:
     """Raise `UnsupportedModelError` for the first name that rumoca would resolve wrongly."""
     text = model.classes
-    for find in (_outer_classes, _functions_like_built_in_ones, _blind_classes):
+    for find in (_outer_classes, _functions_like_built_in_ones, _blind_classes, _global_names):
         for why, construct in find(text):
             raise model.unsupported_at(why, construct)
     for why, construct in _ambiguous_aliases(text, model.flat["functions"]):
@@ -64,6 +66,19 @@ def _functions_like_built_in_ones(text: ModelText) -> Iterator[tuple[str, Constr
         if any(call.search(user) for inside, _, user in text.named() if f"{inside}.".startswith(f"{scope}.")):
             for construct in text.find([rf"\bfunction\s+{simple}\b"]):
                 yield f"{simple}() would call the built-in function; give this one another name", construct
+
+
+def _global_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield names with a leading dot for which an enclosing scope has something of that name too."""
+    inner = {name.rpartition(".")[2] for name, _, _ in text.named() if "." in name}
+    inner |= {one.name for _, _, own in text.named() for one in component_clauses(own)}
+    for construct in text.find([_GLOBAL]):
+        name = construct.plain.lstrip(". ")
+        if name in inner:
+            yield (
+                f"the leading dot of .{name} is lost, and there are others of that name; import it",
+                construct,
+            )
 
 
 def _blind_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:

@@ -66,6 +66,10 @@ class Inheritance:
         """Yield the declarations of a component in the classes of this name themselves."""
         return (own for own in self._components[name] if own.name == component)
 
+    def declares(self, name: str) -> bool:
+        """Return whether the classes of this name declare components themselves."""
+        return bool(self._components[name])
+
     def components(self, name: str, component: str) -> Iterator[Component]:
         """Yield the declarations of a component in the classes of this name and their bases."""
         for one in self.ancestry(name):

@@ -40,6 +40,11 @@ _GATES = (
     "block A I u[2]; O y; equation y = u[1] and u[2]; end A; "
 )
 
+_RECORDS = (
+    "record B Real x=1; Real y=1; end B; record I = B(x=3); "
+    "function g input B a; output Real z; algorithm z:=a.x*100+a.y; end g;"
+)
+
 _CASES = {
     "slices of a list of elements": Case(
         "Real y[4];",
@@ -138,6 +143,51 @@ _CASES = {
         "y = f(time);",
         UnsupportedModelError,
         "a loop of a function sets a variable that has no value before the loop; give it one",
+    ),
+    "a record that inherits with modifiers, constructed as an argument": Case(
+        f"{_RECORDS} Real y = g(I(y=7));",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:148: I() would have the values of the record that I inherits, unless it is the whole value of",
+    ),
+    "such a record as a variable of a function": Case(
+        f"{_RECORDS} function h input Real x; output Real z; protected I r; algorithm z:=r.x+x; end h; "
+        "Real y = h(time);",
+        "",
+        UnsupportedModelError,
+        "the modifiers of the record r of the function h, or of its class, would be lost; assign its members",
+    ),
+    "modifiers of a record of a function": Case(
+        f"{_RECORDS} function h input Real x; output B r(x=2); algorithm r.y:=x; end h; B y = h(time);",
+        "",
+        UnsupportedModelError,
+        "the modifiers of the record r of the function h, or of its class, would be lost; assign its members",
+    ),
+    "arguments of a function that inherits late": Case(
+        "partial function p input Real b; output Real y; end p; function f input Real a; extends p; "
+        "algorithm y:=10*a+b; end f; Real z = f(1, time);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:59: the arguments of f(...): the inherited ones would come first",
+    ),
+    "arguments of a record with a final member": Case(
+        "record R Real a=1; final parameter Real k=9; Real b=3; end R; R r = R(5, time);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:3: the arguments of R(...): its final and constant members would count too; name the arg",
+    ),
+    "a column in connect()": Case(
+        "connector I=input Real; connector O=output Real; block S O y[2,2]={{1,2},{3,4}}; end S; "
+        "block T I u[2]; O y=u[1]; end T; S s; T t;",
+        "connect(s.y[:, 2], t.u);",
+        UnsupportedModelError,
+        "M.mo:4:3: a column of a matrix in connect() is not supported",
+    ),
+    "a global name beside another": Case(
+        "package X constant Real c=5; end X; Real y = .X.c;",
+        "",
+        UnsupportedModelError,
+        "the leading dot of .X is lost, and there are others of that name; import it",
     ),
     "an element as the condition of a component": Case(
         "parameter Boolean u[2] = {true, false}; Real y if u[1];",
