@@ -1,10 +1,10 @@
 """Names that rumoca resolves to other classes than Modelica does.
 
 rumoca keeps one function for each name as the source calls it: `own()` in two models with a function of their
-own, or `Medium.h()` where two components have different media, become one function. The leading dot of a global
-name is lost. A class that is declared
+own, or `Medium.h()` where two components have different media, become one function. A class that is declared
 in a model, such as a function, is evaluated once for all instances of the model. A function with the name of
-a built-in one is not called, and an outer class stands for itself. What is called by its full name is right.
+a built-in one is not called, and an outer class stands for itself. The leading dot of a global name is lost.
+What is called by its full name is right.
 """
 
 from __future__ import annotations
@@ -76,7 +76,7 @@ def _global_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
         name = construct.plain.lstrip(". ")
         if name in inner:
             yield (
-                f"the leading dot of .{name} is lost, and there are others of that name; import it",
+                f"the leading dot of .{name} is lost, and it is not the only {name}; import it",
                 construct,
             )
 
