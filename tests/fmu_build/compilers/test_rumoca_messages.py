@@ -171,7 +171,7 @@ _CASES = {
         "the arguments of f(...): the inherited ones would come first",
     ),
     "arguments of a record with a final member": Case(
-        "record R Real a=1; final parameter Real k=9; Real b=3; end R; R r = R(5, time);",
+        "record R Real a=1; final parameter Real k=9; Real b=3; end R; R r = R(5, 2);",
         "",
         UnsupportedModelError,
         "the arguments of R(...): its final and constant members would count too; name the arg",
