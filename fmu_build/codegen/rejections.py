@@ -15,6 +15,7 @@ from fmu_build.codegen.member_slices import reject_member_slices
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.not_discrete import reject_continuous_definitions
+from fmu_build.codegen.second_reading.check import reject_other_values
 
 
 def reject_unsupported(model: LoweredModel) -> None:
@@ -35,6 +36,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     reject_lost_equations(model)
     reject_mistaken_names(model)
     reject_continuous_definitions(model)
+    reject_other_values(model)
 
 
 def _reject_operators(model: LoweredModel) -> None:

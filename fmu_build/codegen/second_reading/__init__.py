@@ -1,0 +1,1 @@
+"""A second reading of the model's source, which checks what rumoca made of modifiers."""

@@ -1,0 +1,227 @@
+"""The variables of a model with what its source gives to each: merged as in Modelica 3.6 (chapter 7).
+
+What a redeclaration, a condition, an outer component or an unknown size may change is left out.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
+from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
+from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
+
+_MOST_ELEMENTS: Final = 1000
+_DEEPEST: Final = 50
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a name is given, and where: `scope` is the path of the component in which its value is evaluated.
+
+    Of an array for the elements of an array of components, `place` selects those of this component.
+    """
+
+    value: Tokens = ()
+    scope: str = ""
+    inner: Mapping[str, Given] = field(default_factory=dict)
+    each: bool = False
+    final: bool = False
+    redeclares: bool = False
+    place: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Leaf:
+    """A variable of a predefined type."""
+
+    given: Given
+    sizes: tuple[int, ...]
+    is_constant: bool
+    """Whether it is a parameter or a constant."""
+
+
+class Instances:
+    """The variables of a model.
+
+    Attributes:
+        leaves: by path, as ``a.b[2].c``; an array of a predefined type is one
+        mistakes: what is invalid in the modifiers
+    """
+
+    def __init__(self, library: Library, model: str) -> None:
+        """Raises `UnknownError` if the library does not have the model."""
+        self.leaves: dict[str, Leaf] = {}
+        self.mistakes: list[str] = []
+        self._library = library
+        self._members: dict[str, set[str]] = {}
+        self._evaluating: set[str] = set()
+        self._expand("", library.class_of(model), {}, 0)
+
+    def value(self, given: Given) -> Value:
+        """Return the value that is given; raises `UnknownError` if it is not known."""
+        if not given.value:
+            raise UnknownError
+        found = value_of(given.value, lambda name: self._named(name, given.scope))
+        for place in given.place:
+            if isinstance(found, list):
+                if place >= len(found):
+                    raise UnknownError
+                found = found[place]
+        return found
+
+    def _named(self, name: str, scope: str) -> Value:
+        first = name.partition(".")[0].partition("[")[0]
+        if first not in self._members.get(scope, ()):
+            raise UnknownError
+        path = f"{scope}.{name}" if scope else name
+        leaf = self.leaves.get(path)
+        if leaf is None or not leaf.is_constant or path in self._evaluating:
+            raise UnknownError
+        self._evaluating.add(path)
+        try:
+            return self.value(leaf.given)
+        finally:
+            self._evaluating.discard(path)
+
+    def _expand(self, path: str, owner: Class, given: Mapping[str, Given], depth: int) -> None:
+        """Find the variables in a component of a class."""
+        members: list[tuple[Component, Class, Given]] = []
+        is_known = depth < _DEEPEST
+        try:
+            members += self._components(path, owner, given)
+        except UnknownError:
+            is_known = False
+        names = {component.name for component, _, _ in members}
+        self._members[path] = names if is_known else set()
+        if not is_known:
+            return
+        self._check_names(path, owner, given, names)
+        self._check_repeated(path, members)
+        # The sizes of arrays depend on variables without one.
+        for component, around, own in sorted(members, key=lambda member: bool(member[0].dimensions)):
+            with suppress(UnknownError):
+                self._component(path, component, around, own, depth)
+
+    def _components(
+        self, path: str, owner: Class, given: Mapping[str, Given]
+    ) -> Iterator[tuple[Component, Class, Given]]:
+        """Yield the components of a class, inherited ones first, with where they are declared."""
+        if not owner.is_certain:
+            raise UnknownError
+        for name, modifier in owner.bases:
+            base = self._library.base(owner, name)
+            if base in PREDEFINED.values():
+                raise UnknownError
+            inner = _inner(modifier, path)
+            inherited = list(self._components(path, base, self._merged(path, given, inner)))
+            self._check_names(path, base, inner, {component.name for component, _, _ in inherited})
+            yield from inherited
+        for component in owner.components:
+            outer = given.get(component.name)
+            own = _given(component.modifier, path)
+            yield component, owner, self._both(_joined(path, component.name), outer, own)
+
+    def _component(self, path: str, component: Component, around: Class, given: Given, depth: int) -> None:
+        if given.redeclares or component.is_conditional or component.prefixes & {"outer", "redeclare"}:
+            return
+        kind = self._library.meaning(component.type, around)
+        name = _joined(path, component.name)
+        dimensions, attributes = component.dimensions, _NOTHING
+        is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
+        while not is_leaf and kind.is_short:
+            base, modifier = kind.bases[0]
+            attributes = self._both(name, attributes, _given(modifier, path))
+            dimensions += kind.dimensions
+            kind = self._library.base(kind, base)
+            is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
+        sizes = tuple(self._size(tokens, path) for tokens in dimensions)
+        whole = self._both(name, given, attributes)
+        if is_leaf:
+            is_constant = bool(component.prefixes & {"parameter", "constant"})
+            self._check_attributes(name, whole)
+            self.leaves[name] = Leaf(whole, sizes, is_constant)
+        elif not given.value and "expandable" not in kind.prefixes:
+            if len(self.leaves) > _MOST_ELEMENTS * max(1, len(sizes)) * 20:
+                raise UnknownError
+            for places in itertools.product(*map(range, sizes)):
+                subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
+                inner = {key: _element(one, places) for key, one in whole.inner.items()}
+                self._expand(name + subscripts, kind, inner, depth + 1)
+
+    def _size(self, tokens: Tokens, path: str) -> int:
+        size = value_of(tokens, lambda name: self._named(name, path))
+        if isinstance(size, list) or size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
+            raise UnknownError
+        return int(size)
+
+    def _merged(self, path: str, outer: Mapping[str, Given], inner: Mapping[str, Given]) -> dict[str, Given]:
+        names = dict.fromkeys((*inner, *outer))
+        return {name: self._both(_joined(path, name), outer.get(name), inner.get(name)) for name in names}
+
+    def _both(self, path: str, outer: Given | None, inner: Given | None) -> Given:
+        """Return what holds where a modifier further out meets one further in."""
+        if outer is None or inner is None:
+            return outer or inner or _NOTHING
+        if inner.final and outer.value:
+            self.mistakes.append(f"{path} is final and cannot be given another value")
+        first = outer if outer.value else inner
+        return replace(
+            first,
+            inner=self._merged(path, outer.inner, inner.inner),
+            final=outer.final or inner.final,
+            redeclares=outer.redeclares or inner.redeclares,
+        )
+
+    def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
+        with suppress(UnknownError):
+            for name in given.keys() - members:
+                if not self._has_class(owner, name):
+                    self.mistakes.append(f"{owner.name} has no element {name}, which {path} is given")
+
+    def _has_class(self, owner: Class, name: str) -> bool:
+        return name in owner.classes or any(
+            self._has_class(base, name) for base in self._library.bases(owner)
+        )
+
+    def _check_attributes(self, path: str, given: Given) -> None:
+        for name in given.inner.keys() - _ATTRIBUTES:
+            self.mistakes.append(f"{path} has no attribute {name}")
+
+    def _check_repeated(self, path: str, members: list[tuple[Component, Class, Given]]) -> None:
+        first: dict[str, tuple[Component, Class]] = {}
+        for component, around, _ in members:
+            other, there = first.setdefault(component.name, (component, around))
+            if other.modifier != component.modifier and around is not there:
+                name = _joined(path, component.name)
+                self.mistakes.append(f"{name} is declared in {there.name} and in {around.name}, differently")
+
+
+_NOTHING: Final = Given()
+_ATTRIBUTES: Final = frozenset(
+    ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
+)
+
+
+def _joined(path: str, name: str) -> str:
+    return f"{path}.{name}" if path else name
+
+
+def _given(modifier: Modifier, scope: str) -> Given:
+    return Given(
+        modifier.value, scope, _inner(modifier, scope), modifier.each, modifier.final, modifier.redeclares
+    )
+
+
+def _inner(modifier: Modifier, scope: str) -> dict[str, Given]:
+    return {name: _given(one, scope) for name, one in modifier.inner.items()}
+
+
+def _element(given: Given, places: tuple[int, ...]) -> Given:
+    """Return what an element of an array is given by a modifier of the array."""
+    inner = {name: _element(one, places) for name, one in given.inner.items()}
+    return replace(given, inner=inner, place=given.place if given.each else given.place + places)

@@ -1,0 +1,109 @@
+"""The classes of a model's libraries by name, and the class that a name means where it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Final
+
+from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.syntax import Class, read_classes
+
+PREDEFINED: Final = {
+    name: Class(name, "type", None) for name in ("Real", "Integer", "Boolean", "String", "Clock")
+}
+
+
+class Library:
+    """All classes of some source texts."""
+
+    def __init__(self, texts: Iterable[str]) -> None:
+        """Read the classes; raises `SyntaxError` if one cannot be read."""
+        self._root = Class("", "package", None)
+        found = [one for text in texts for one in read_classes(text)]
+        for within, one in sorted(found, key=lambda pair: pair[0].count(".") + bool(pair[0])):
+            around = self._root
+            for part in filter(None, within.split(".")):
+                around = around.classes.setdefault(part, Class(part, "package", around, is_certain=False))
+            one.around = around
+            around.classes[one.name] = one
+
+    def class_of(self, qualified: str) -> Class:
+        """Return the class with a qualified name; raises `UnknownError` if there is none."""
+        found = self._root
+        for part in qualified.split("."):
+            if part not in found.classes:
+                raise UnknownError
+            found = found.classes[part]
+        return found
+
+    def meaning(self, name: str, scope: Class) -> Class:
+        """Return the class that a name means in a class.
+
+        Raises:
+            UnknownError: it is not known, or a redeclaration may replace it
+        """
+        if name in PREDEFINED:
+            return PREDEFINED[name]
+        if name.startswith("."):
+            return self.class_of(name[1:])
+        first, *rest = name.split(".")
+        return self._within(self._first(first, scope), rest)
+
+    def _first(self, name: str, scope: Class, *, inherited: bool = True) -> Class:
+        found: Class | None = None
+        around: Class | None = scope
+        while around is not None and found is None:
+            found = self._element(around, name) if inherited else around.classes.get(name)
+            found = found or self._imported(around, name)
+            if "encapsulated" in around.prefixes and found is None:
+                raise UnknownError
+            around, inherited = around.around, True
+        return _certain(found)
+
+    def _within(self, found: Class, names: Iterable[str]) -> Class:
+        for name in names:
+            found = _certain(self._element(found, name))
+        return found
+
+    def _element(self, owner: Class, name: str) -> Class | None:
+        """Return the class that is declared in a class or its bases."""
+        if name in owner.classes:
+            return owner.classes[name]
+        for base in self.bases(owner):
+            found = self._element(base, name)
+            if found is not None:
+                return found
+        return None
+
+    def bases(self, owner: Class) -> Iterator[Class]:
+        """Yield the base classes of a class; raises `UnknownError` where one is not known."""
+        for name, _ in owner.bases:
+            yield self.base(owner, name)
+
+    def base(self, owner: Class, name: str) -> Class:
+        """Return the base class of this name, which is not searched among what is inherited."""
+        if name in PREDEFINED:
+            return PREDEFINED[name]
+        if name.startswith("."):
+            return self.class_of(name[1:])
+        first, *rest = name.split(".")
+        scope = owner.around if owner.is_short else owner
+        if scope is None:
+            raise UnknownError
+        return self._within(self._first(first, scope, inherited=owner.is_short), rest)
+
+    def _imported(self, scope: Class, name: str) -> Class | None:
+        for known, qualified in scope.imports:
+            if known == name:
+                return self.class_of(qualified)
+            if known == "*":
+                found = self.class_of(qualified).classes.get(name)
+                if found is not None:
+                    return found
+        return None
+
+
+def _certain(found: Class | None) -> Class:
+    if found is None or "replaceable" in found.prefixes:
+        raise UnknownError
+    return found

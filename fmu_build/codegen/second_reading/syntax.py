@@ -1,0 +1,318 @@
+"""The classes of Modelica source as trees: elements, modifiers, and expressions as tokens.
+
+Equations and algorithms are skipped. What is not understood becomes an element of kind "unknown", so that
+nothing is concluded from it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+from fmu_build.codegen.modelica_source.text import blanked
+
+_TOKEN: Final = re.compile(
+    r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|:=|==|<>|<=|>=|\.[-+*/^]|[^\s]"
+)
+_KINDS: Final = frozenset(
+    ("model", "block", "class", "package", "function", "record", "connector", "type", "operator")
+)
+_CLASS_PREFIXES: Final = frozenset(("encapsulated", "partial", "expandable", "pure", "impure"))
+_PREFIXES: Final = frozenset(
+    (
+        "flow",
+        "stream",
+        "discrete",
+        "parameter",
+        "constant",
+        "input",
+        "output",
+        "final",
+        "inner",
+        "outer",
+        "replaceable",
+        "redeclare",
+    )
+)
+_SECTIONS: Final = frozenset(("equation", "algorithm", "initial", "external"))
+_OPERATORS: Final = frozenset(("then", "else", "and", "or", "not", "in"))
+_OPENING: Final = {"(": ")", "[": "]", "{": "}"}
+
+Tokens = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Modifier:
+    """What a name is given: a value, values of what is in it, or an unknown redeclaration."""
+
+    value: Tokens = ()
+    inner: Mapping[str, Modifier] = field(default_factory=dict)
+    each: bool = False
+    final: bool = False
+    redeclares: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """A component as declared; `dimensions` are the subscripts of its type and its name, outermost first."""
+
+    name: str
+    type: str
+    dimensions: tuple[Tokens, ...]
+    prefixes: frozenset[str]
+    modifier: Modifier
+    is_conditional: bool = False
+
+
+@dataclass(slots=True)
+class Class:
+    """A class: its own elements in their order, and the classes declared in it.
+
+    Attributes:
+        bases: names of base classes with their modifiers; for a short class, the class that it stands for
+        dimensions: subscripts of the class for which a short class stands
+        imports: qualified names by the name under which they are known; "*" for unqualified imports
+        is_certain: whether all its elements were understood
+    """
+
+    name: str
+    kind: str
+    around: Class | None
+    prefixes: frozenset[str] = frozenset()
+    bases: list[tuple[str, Modifier]] = field(default_factory=list)
+    components: list[Component] = field(default_factory=list)
+    classes: dict[str, Class] = field(default_factory=dict)
+    imports: list[tuple[str, str]] = field(default_factory=list)
+    dimensions: tuple[Tokens, ...] = ()
+    is_short: bool = False
+    is_enumeration: bool = False
+    is_certain: bool = True
+
+
+def read_classes(text: str) -> Iterator[tuple[str, Class]]:
+    """Yield the classes of a file with the package that it is within; raises `SyntaxError` if it cannot."""
+    parser = _Parser(_TOKEN.findall(blanked(text)))
+    within = parser.within()
+    while parser.here:
+        found = parser.class_or_none(
+            None, frozenset(parser.take_all(_CLASS_PREFIXES | {"final", "replaceable"}))
+        )
+        if found is None:
+            raise SyntaxError(f"a class is expected, not {parser.here}")
+        yield within, found
+        parser.skip_to_semicolon()
+
+
+class _Parser:
+    def __init__(self, tokens: list[str]) -> None:
+        self._tokens = tokens
+        self._place = 0
+
+    @property
+    def here(self) -> str:
+        return self.ahead(0)
+
+    def ahead(self, count: int) -> str:
+        place = self._place + count
+        return self._tokens[place] if place < len(self._tokens) else ""
+
+    def take(self) -> str:
+        if not self.here:
+            raise SyntaxError("the file ends within a class")
+        self._place += 1
+        return self._tokens[self._place - 1]
+
+    def take_if(self, token: str) -> bool:
+        found = self.here == token
+        self._place += found
+        return found
+
+    def take_all(self, tokens: frozenset[str]) -> list[str]:
+        found = []
+        while self.here in tokens:
+            found.append(self.take())
+        return found
+
+    def expect(self, token: str) -> None:
+        if not self.take_if(token):
+            raise SyntaxError(f"{token} is expected, not {self.here}")
+
+    def within(self) -> str:
+        if not self.take_if("within"):
+            return ""
+        name = "" if self.here == ";" else self.name()
+        self.expect(";")
+        return name
+
+    def name(self) -> str:
+        """A qualified name; a leading dot is kept."""
+        found = self.take() if self.here == "." else ""
+        found += self.take()
+        while self.here == "." and self.ahead(1) not in ("*", "{"):
+            found += self.take() + self.take()
+        return found
+
+    def skip_to_semicolon(self) -> None:
+        while not self.take_if(";"):
+            self._balanced()
+
+    def _balanced(self) -> Tokens:
+        """Take one token, or everything up to the bracket that closes it."""
+        first = self.take()
+        found = [first]
+        if first in _OPENING:
+            while self.here != _OPENING[first]:
+                found += self._balanced()
+            found.append(self.take())
+        return tuple(found)
+
+    def class_or_none(self, around: Class | None, prefixes: frozenset[str]) -> Class | None:
+        if self.here not in _KINDS:
+            return None
+        kind = self.take()
+        while self.here in _KINDS:  # operator record
+            kind = self.take()
+        extends = self.take_if("extends")
+        found = Class(self.take(), kind, around, prefixes, is_certain=not extends)
+        if self.here == "(":
+            self._balanced()
+        if self.take_if("="):
+            self._short(found)
+        else:
+            self._composition(found)
+        return found
+
+    def _short(self, found: Class) -> None:
+        found.is_short = True
+        prefixes = self.take_all(_PREFIXES)
+        if self.here == "enumeration":
+            found.is_enumeration = True
+            self.take()
+            self._balanced()
+            return
+        if self.here == "der":
+            found.is_certain = False
+            self.take()
+            self._balanced()
+            return
+        base = self.name()
+        found.prefixes |= frozenset(prefixes)
+        found.dimensions = self._subscripts()
+        found.bases.append((base, Modifier(inner=self._arguments() if self.here == "(" else {})))
+
+    def _composition(self, found: Class) -> None:
+        while True:
+            if self.here == "end" and self.ahead(1) == found.name:
+                self.take()
+                self.take()
+                return
+            if self.here in ("public", "protected"):
+                self.take()
+            elif self.here in _SECTIONS:
+                self._skip_section(found.name)
+            elif self.here == "annotation":
+                self.skip_to_semicolon()
+            else:
+                self._element(found)
+                if self.here == "annotation" or not self.take_if(";"):
+                    self.skip_to_semicolon()
+
+    def _skip_section(self, name: str) -> None:
+        while self.here not in ("public", "protected") and (self.here, self.ahead(1)) != ("end", name):
+            self._balanced()
+
+    def _element(self, owner: Class) -> None:
+        if self.take_if("import"):
+            self._import(owner)
+        elif self.take_if("extends"):
+            base = self.name()
+            owner.bases.append((base, Modifier(inner=self._arguments() if self.here == "(" else {})))
+        elif self.here != ";":
+            prefixes = frozenset(self.take_all(_PREFIXES | _CLASS_PREFIXES))
+            inner = self.class_or_none(owner, prefixes)
+            if inner is not None:
+                owner.classes[inner.name] = inner
+                owner.is_certain &= "redeclare" not in prefixes and inner.is_certain
+            else:
+                self._components(owner, prefixes)
+
+    def _import(self, owner: Class) -> None:
+        name = self.name()
+        if self.take_if("="):
+            owner.imports.append((name, self.name()))
+        elif self.take_if("."):
+            if self.take_if("*"):
+                owner.imports.append(("*", name))
+            else:
+                owner.imports += [(one, f"{name}.{one}") for one in self._balanced() if one.isidentifier()]
+        else:
+            owner.imports.append((name.rpartition(".")[2], name))
+
+    def _components(self, owner: Class, prefixes: frozenset[str]) -> None:
+        kind = self.name()
+        common = self._subscripts()
+        while True:
+            name = self.take()
+            own = self._subscripts()
+            inner = self._arguments() if self.here == "(" else {}
+            value = self._expression() if self.take_if("=") or self.take_if(":=") else ()
+            is_conditional = self.here == "if"
+            modifier = Modifier(value, inner, final="final" in prefixes)
+            owner.components.append(Component(name, kind, own + common, prefixes, modifier, is_conditional))
+            while self.here not in (",", ";"):
+                self._balanced()
+            if not self.take_if(","):
+                return
+
+    def _subscripts(self) -> tuple[Tokens, ...]:
+        if not self.take_if("["):
+            return ()
+        found = [self._expression()]
+        while self.take_if(","):
+            found.append(self._expression())
+        self.expect("]")
+        return tuple(found)
+
+    def _arguments(self) -> dict[str, Modifier]:
+        """The modifiers between parentheses, by name; dotted names are refused before."""
+        found: dict[str, Modifier] = {}
+        self.expect("(")
+        while not self.take_if(")"):
+            prefixes = self.take_all(frozenset(("each", "final")))
+            if self.here in ("redeclare", "replaceable"):
+                found[self._redeclared()] = Modifier(redeclares=True)
+            else:
+                name = self.name()
+                inner = self._arguments() if self.here == "(" else {}
+                value = self._expression() if self.take_if("=") else ()
+                found[name] = Modifier(value, inner, each="each" in prefixes, final="final" in prefixes)
+            while self.here not in (",", ")"):
+                self._balanced()
+            self.take_if(",")
+        return found
+
+    def _redeclared(self) -> str:
+        """Skip a redeclaration up to the comma behind it; return the name of what it redeclares."""
+        self.take_all(_PREFIXES | _CLASS_PREFIXES | {"each"})
+        is_class = self.here in _KINDS
+        if is_class:
+            self.take()
+        else:
+            self.name()
+            self._subscripts()
+        return self.take()
+
+    def _expression(self) -> Tokens:
+        """Tokens up to a comma, a closing bracket, a semicolon, or a condition or annotation behind it."""
+        found: list[str] = []
+        while self.here and self.here not in ",;)]}" and self.here not in ("annotation", "constrainedby"):
+            if self.here == "if" and found and _ends_operand(found[-1]):
+                break
+            found += self._balanced()
+        return tuple(found)
+
+
+def _ends_operand(token: str) -> bool:
+    return token not in _OPERATORS and (token[-1].isalnum() or token[-1] in ")]}'_")
