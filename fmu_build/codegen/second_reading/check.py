@@ -1,23 +1,35 @@
-"""Compare the values and start values of a model's variables with a second reading of its source."""
+"""Compare what rumoca gives to a model's variables with a second reading of the source.
+
+Numbers must be equal. An equation in a declaration must be the text that the source gives, and its names
+must mean variables of the component in which it stands. Values of parameters that are not numbers are not
+compared, because rumoca replaces names in them by their values.
+"""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any, Final
 
+from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
-from fmu_build.codegen.second_reading.instances import Instances, Leaf
+from fmu_build.codegen.second_reading.instances import Given, Instances, Leaf
 from fmu_build.codegen.second_reading.scopes import Library
+from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 from fmu_build.support.errors import ModelicaError
 
 _ROUNDING: Final = 1e-9
+_ATTRIBUTES: Final = {"start": "start", "min": "minimum", "max": "maximum", "nominal": "nominal"}
+_ITERATOR: Final = re.compile(r"(?:\bfor|,)\s+(\w+)\s+in\b")
+_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]|\s")
 
 
 def reject_other_values(model: LoweredModel) -> None:
-    """Raise an error for the first variable to which rumoca gives another value than the source.
+    """Raise an error for the first variable to which rumoca gives something else than the source.
 
     Raises:
         ModelicaError: a modifier names what does not exist, or changes what is final
@@ -31,31 +43,74 @@ def reject_other_values(model: LoweredModel) -> None:
         raise ModelicaError(f"{model.name}: {mistake}")
     for variable in model.dae["variables"]:
         leaf = instances.leaves.get(variable["name"])
-        if leaf is not None:
-            for what, found, meant in _differences(instances, leaf, variable):
-                raise model.unsupported(
-                    f"the compiler gives {variable['name']} the {what} {found:g}, but the source says "
-                    f"{meant:g}: a modifier is lost or misplaced; declare the value in a class of its own",
-                    variable["declaration"]["span"],
-                )
+        if leaf is None:
+            continue
+        for difference in (
+            *_differences(instances, leaf, variable),
+            *_others(model, instances, variable["name"]),
+        ):
+            raise model.unsupported(
+                f"{difference}: the compiler has lost or misplaced a modifier of {variable['name']}, or of "
+                "another variable with this name; declare the value in a class of its own",
+                variable["declaration"]["span"],
+            )
 
 
-def _differences(
-    instances: Instances, leaf: Leaf, variable: dict[str, Any]
-) -> Iterator[tuple[str, float, float]]:
-    attributes = variable["attributes"]
-    compared = []
-    if leaf.is_constant and leaf.given.value:
-        compared.append(("value", leaf.given, attributes["binding_values"]))
-    elif "start" in leaf.given.inner:
-        compared.append(("start value", leaf.given.inner["start"], attributes["start_values"]))
-    for what, given, found in compared:
+def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
+    """Yield the values and attributes whose numbers differ."""
+    attributes, inner = variable["attributes"], leaf.given.inner
+    is_given = leaf.is_constant and bool(leaf.given.value)
+    compared = [("value", leaf.given, "binding")] if is_given else []
+    for name, place in _ATTRIBUTES.items():
+        if name in inner and not (is_given and name == "start"):
+            compared.append((f"{name} value", inner[name], place))
+        elif name == "start" and not leaf.is_constant and leaf.has_zero_start:
+            compared.append(("start value", _ZERO, place))
+    for what, given, place in compared:
+        found = attributes[f"{place}_values"]
         with suppress(UnknownError):
             meant = _flat(instances.value(given))
             if found and len(meant) in (1, len(found)):
                 pairs = zip(found, meant if len(meant) > 1 else meant * len(found), strict=True)
-                yield from ((what, a, b) for a, b in pairs if not math.isclose(a, b, rel_tol=_ROUNDING))
+                yield from (
+                    f"the {what} is {a:g} instead of {b:g}"
+                    for a, b in pairs
+                    if not math.isclose(a, b, rel_tol=_ROUNDING)
+                )
+
+
+_ZERO: Final = Given(("0",))
 
 
 def _flat(value: Value) -> list[float]:
     return [one for element in value for one in _flat(element)] if isinstance(value, list) else [value]
+
+
+def _others(model: LoweredModel, instances: Instances, name: str) -> Iterator[str]:
+    """Yield what is wrong with the equation in the declaration of a variable."""
+    leaf, binding = instances.leaves[name], model.flat["variables"].get(name, {}).get("binding")
+    if leaf.is_constant or name not in model.flat["variables"]:
+        return
+    if binding is None or not leaf.given.value:
+        if leaf.given.value:
+            yield f"the equation {' '.join(leaf.given.value)} is lost"
+        elif binding is not None:
+            yield "there is an equation that the source does not give"
+        return
+    ((_, content),) = binding.items()
+    text = model.text(content["span"])
+    if not _contains(leaf.given.value, tuple(TOKEN.findall(blanked(text)))):
+        yield f"the equation is {text} instead of {' '.join(leaf.given.value)}"
+    iterators = set(_ITERATOR.findall(text))
+    for reference in expressions(binding, "VarRef"):
+        written = _SUBSCRIPTS.sub("", model.text(reference["span"]))
+        first = written.partition(".")[0]
+        if first not in iterators and first in instances.members(leaf.given.scope):
+            meant = f"{leaf.given.scope}.{written}" if leaf.given.scope else written
+            found = _SUBSCRIPTS.sub("", reference["name"]["name"])
+            if found != _SUBSCRIPTS.sub("", meant):
+                yield f"{written} means {found} instead of {meant}"
+
+
+def _contains(whole: Tokens, part: Tokens) -> bool:
+    return any(whole[i : i + len(part)] == part for i in range(len(whole) - len(part) + 1))

@@ -6,7 +6,7 @@ What a redeclaration, a condition, an outer component or an unknown size may cha
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -43,6 +43,8 @@ class Leaf:
     sizes: tuple[int, ...]
     is_constant: bool
     """Whether it is a parameter or a constant."""
+    has_zero_start: bool
+    """Whether its start value is zero unless it is given another one."""
 
 
 class Instances:
@@ -62,6 +64,10 @@ class Instances:
         self._evaluating: set[str] = set()
         self._expand("", library.class_of(model), {}, 0)
 
+    def members(self, path: str) -> Set[str]:
+        """Return the names of the variables and components in a component; none if they are not known."""
+        return self._members.get(path, frozenset())
+
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
         if not given.value:
@@ -76,7 +82,7 @@ class Instances:
 
     def _named(self, name: str, scope: str) -> Value:
         first = name.partition(".")[0].partition("[")[0]
-        if first not in self._members.get(scope, ()):
+        if first not in self.members(scope):
             raise UnknownError
         path = f"{scope}.{name}" if scope else name
         leaf = self.leaves.get(path)
@@ -97,7 +103,8 @@ class Instances:
         except UnknownError:
             is_known = False
         names = {component.name for component, _, _ in members}
-        self._members[path] = names if is_known else set()
+        outer = {component.name for component, _, _ in members if "outer" in component.prefixes}
+        self._members[path] = names - outer if is_known else set()
         if not is_known:
             return
         self._check_names(path, owner, given, names)
@@ -144,7 +151,7 @@ class Instances:
         if is_leaf:
             is_constant = bool(component.prefixes & {"parameter", "constant"})
             self._check_attributes(name, whole)
-            self.leaves[name] = Leaf(whole, sizes, is_constant)
+            self.leaves[name] = Leaf(whole, sizes, is_constant, not kind.is_enumeration)
         elif not given.value and "expandable" not in kind.prefixes:
             if len(self.leaves) > _MOST_ELEMENTS * max(1, len(sizes)) * 20:
                 raise UnknownError

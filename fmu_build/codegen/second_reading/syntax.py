@@ -13,7 +13,7 @@ from typing import Final
 
 from fmu_build.codegen.modelica_source.text import blanked
 
-_TOKEN: Final = re.compile(
+TOKEN: Final = re.compile(
     r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?|:=|==|<>|<=|>=|\.[-+*/^]|[^\s]"
 )
 _KINDS: Final = frozenset(
@@ -93,7 +93,7 @@ class Class:
 
 def read_classes(text: str) -> Iterator[tuple[str, Class]]:
     """Yield the classes of a file with the package that it is within; raises `SyntaxError` if it cannot."""
-    parser = _Parser(_TOKEN.findall(blanked(text)))
+    parser = _Parser(TOKEN.findall(blanked(text)))
     within = parser.within()
     while parser.here:
         found = parser.class_or_none(
