@@ -1,0 +1,160 @@
+"""The second reading of a model's source: against an instantiator of its own, and what it refuses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from random import Random
+
+import pytest
+
+from fmu_build import ModelicaError, UnsupportedModelError
+from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.scopes import Library
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
+from tests.fuzz.models.hierarchies import hierarchy
+from tests.fuzz.models.writer import Writer
+
+
+def _instances(text: str, model: str = "M") -> Instances:
+    return Instances(Library([text]), model)
+
+
+def _values(text: str) -> dict[str, object]:
+    """What the second reading finds, by variable: a value, or a start value."""
+    found = _instances(text)
+    assert not found.mistakes
+    return {
+        name: found.value(leaf.given if leaf.given.value else leaf.given.inner["start"])
+        for name, leaf in found.leaves.items()
+    }
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_random_hierarchies(seed: int) -> None:
+    """Classes of classes with modifiers of modifiers, which the fuzzer instantiates itself."""
+    writer = Writer(Random(seed))
+    hierarchy(writer)
+    found = _values("\n".join(("model M", *writer.package, *writer.declarations, "end M;")))
+    assert writer.observed
+    for name, value in writer.meaning.steps:
+        assert found[name] == value({}), name
+
+
+def test_scopes_of_values() -> None:
+    """A name in a modifier means a variable of the component in which the modifier stands."""
+    assert _values("""
+        model M
+          model S parameter Real F = 1; parameter Real k = F/2; end S;
+          model P parameter Real F = 3; S s[2](F = {F, 2*F}, each k = 4); S q(F = 2*F); end P;
+          P p(F = 7, s(k = {8, 9}));
+        end M;""") == {
+        "p.F": 7.0,
+        "p.s[1].F": 7.0,
+        "p.s[1].k": 8.0,
+        "p.s[2].F": 14.0,
+        "p.s[2].k": 9.0,
+        "p.q.F": 14.0,
+        "p.q.k": 7.0,
+    }
+
+
+def test_types_sizes_and_imports() -> None:
+    assert _values("""
+        package Q
+          package T type Angle = Real(start = 4); type Small = Angle(max = 1); end T;
+          model A
+            import T = Q.T;
+            parameter Integer n = 2;
+            T.Small x(min = 0);
+            T.Angle v[n](start = {5, 6});
+            A2 b[n - 1](c = -2^2*(1 - 0.5e1)) if true;
+          end A;
+          model A2 parameter Real c = 1; end A2;
+        end Q;
+        model M
+          extends Q.A(n = 3, v(start = {7, 8, 9}));
+        end M;""") == {"n": 3.0, "x": 4.0, "v": [7.0, 8.0, 9.0]}  # b is conditional
+
+
+def test_what_may_be_redeclared_is_left_out() -> None:
+    found = _instances("""
+        model M
+          model A parameter Real k = 1; end A;
+          model B = A(k = 2);
+          model C replaceable A a; replaceable model D = A; D d; A e; end C;
+          C c(redeclare B a);
+          outer C o;
+        end M;""")
+    assert found.leaves.keys() == {"c.e.k"}
+    assert not found.mistakes
+
+
+#: Declarations of a model M, and what the message must say.
+_LOST = {
+    "a parameter after an array that gets the same name": (
+        "model Res parameter Real R=1; end Res; model Line Res r[3](R={1,2,3}); parameter Real R=100; "
+        "end Line; Line t(R=5);",
+        "the value is 100 instead of 5: the compiler has lost or misplaced a modifier of t.R",
+    ),
+    "a start value for a variable beside a component": (
+        "model Wall Real T(start=270,fixed=true); equation der(T)=0; end Wall; model Room Wall wall; "
+        "Real T(start=290,fixed=true); equation der(T)=0; end Room; model House Room r(wall(T(start=300))); "
+        "Real T(start=250,fixed=true); equation der(T)=0; end House; House h(T(start=280));",
+        "the start value is 280 instead of 290: the compiler has lost or misplaced a modifier of h.r.T",
+    ),
+    "an expression in a class that extends that of the component": (
+        "model A parameter Real p=17; Real w(start=2,fixed=true); equation der(w)=0; end A; "
+        "model B extends A(p=1); A a(w(start=10*p)); end B; B b;",
+        "the start value is 170 instead of 10: the compiler has lost or misplaced a modifier of b.a.w",
+    ),
+}
+
+
+@pytest.mark.parametrize(("declarations", "message"), _LOST.values(), ids=_LOST.keys())
+def test_lost_modifiers(declarations: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(UnsupportedModelError) as caught:
+        _generate(declarations, tmp_path)
+    assert message in str(caught.value)
+
+
+_INVALID = {
+    "an unknown name in a nested modifier": (
+        "model A parameter Real k=1; end A; model B A a; end B; B b(a(q=3));",
+        "A has no element q, which b.a is given",
+    ),
+    "in an extends clause": (
+        "model A parameter Real k=1; end A; model B extends A(q=3); end B; B b;",
+        "A has no element q, which b is given",
+    ),
+    "in a short class": (
+        "model A parameter Real k=1; end A; model B = A(q=3); B b;",
+        "A has no element q, which b is given",
+    ),
+    "an unknown attribute": (
+        "model A Real x(start=1,fixed=true); equation der(x)=0; end A; A a(x(strat=3));",
+        "a.x has no attribute strat",
+    ),
+    "another value for what is final": (
+        "model A parameter Real k=1; end A; model B A a(final k=2); end B; "
+        "model C extends B(a(k=5)); end C; C c;",
+        "c.a.k is final and cannot be given another value",
+    ),
+    "a variable of a base, declared again": (
+        "model A parameter Real k=1; end A; model B extends A; parameter Real k=2; end B; B b;",
+        "b.k is declared in A and in B, differently",
+    ),
+}
+
+
+@pytest.mark.parametrize(("declarations", "message"), _INVALID.values(), ids=_INVALID.keys())
+def test_invalid_modifiers(declarations: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(ModelicaError) as caught:
+        _generate(declarations, tmp_path)
+    assert message in str(caught.value)
+
+
+def _generate(declarations: str, folder: Path) -> None:
+    file = folder / "M.mo"
+    file.write_text(f"model M\n{declarations}\nend M;\n")
+    generate_model(BuildRequest("M", folder, file))
