@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -11,7 +11,7 @@ from typing import Any
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.places import Place, located, place_at
 from fmu_build.codegen.modelica_source.text import declarations
-from fmu_build.support.errors import UnsupportedModelError
+from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 Span = Mapping[str, int]
 """A byte range of a source file: ``source`` is the number of the file, ``start`` and ``end`` are offsets."""
@@ -74,6 +74,10 @@ class CompiledModel:
         """Return the error for an unsupported construct, with its place in the source."""
         place = self.place(span)
         return UnsupportedModelError(located(what, [place] if place else [], self.name, self._file))
+
+    def invalid(self, what: str, places: Sequence[Place]) -> ModelicaError:
+        """Return the error for invalid source, with the places that may be meant."""
+        return ModelicaError(located(what, places, self.name, self._file))
 
     def unsupported_at(self, what: str, construct: Construct) -> UnsupportedModelError:
         """Return the error for a construct that was found in the source."""

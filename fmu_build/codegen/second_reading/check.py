@@ -20,7 +20,6 @@ from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
 from fmu_build.codegen.second_reading.instances import Given, Instances, Leaf
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
-from fmu_build.support.errors import ModelicaError
 
 _ROUNDING: Final = 1e-9
 _ATTRIBUTES: Final = {"start": "start", "min": "minimum", "max": "maximum", "nominal": "nominal"}
@@ -39,8 +38,9 @@ def reject_other_values(model: LoweredModel) -> None:
         instances = Instances(Library(text for _, text in model.sources.values()), model.name)
     except (SyntaxError, UnknownError):
         return  # The checks that look for single constructs remain.
-    for mistake in instances.mistakes:
-        raise ModelicaError(f"{model.name}: {mistake}")
+    for mistake, name in instances.mistakes:
+        found = model.classes.find([rf"(?<![\w.]){re.escape(name)}\s*[(=](?!=)"])
+        raise model.invalid(mistake, [construct.place for construct in found])
     for variable in model.dae["variables"]:
         leaf = instances.leaves.get(variable["name"])
         if leaf is None:
@@ -108,7 +108,7 @@ def _others(model: LoweredModel, instances: Instances, name: str) -> Iterator[st
         if first not in iterators and first in instances.members(leaf.given.scope):
             meant = f"{leaf.given.scope}.{written}" if leaf.given.scope else written
             found = _SUBSCRIPTS.sub("", reference["name"]["name"])
-            if found != _SUBSCRIPTS.sub("", meant):
+            if not f"{found}.".startswith(_SUBSCRIPTS.sub("", f"{meant}.")):  # it may be a member of a record
                 yield f"{written} means {found} instead of {meant}"
 
 

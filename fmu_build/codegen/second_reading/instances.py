@@ -52,13 +52,13 @@ class Instances:
 
     Attributes:
         leaves: by path, as ``a.b[2].c``; an array of a predefined type is one
-        mistakes: what is invalid in the modifiers
+        mistakes: what is invalid in the modifiers, each with the name that it is about
     """
 
     def __init__(self, library: Library, model: str) -> None:
         """Raises `UnknownError` if the library does not have the model."""
         self.leaves: dict[str, Leaf] = {}
-        self.mistakes: list[str] = []
+        self.mistakes: list[tuple[str, str]] = []
         self._library = library
         self._members: dict[str, set[str]] = {}
         self._evaluating: set[str] = set()
@@ -150,6 +150,9 @@ class Instances:
         whole = self._both(name, given, attributes)
         if is_leaf:
             is_constant = bool(component.prefixes & {"parameter", "constant"})
+            has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
+            if "constant" in component.prefixes and not (whole.value or has_text):
+                self.mistakes.append((f"the constant {name} has no value", component.name))
             self._check_attributes(name, whole)
             self.leaves[name] = Leaf(whole, sizes, is_constant, not kind.is_enumeration)
         elif not given.value and "expandable" not in kind.prefixes:
@@ -175,20 +178,23 @@ class Instances:
         if outer is None or inner is None:
             return outer or inner or _NOTHING
         if inner.final and outer.value:
-            self.mistakes.append(f"{path} is final and cannot be given another value")
+            what = f"{path} is final and cannot be given another value"
+            self.mistakes.append((what, path.rpartition(".")[2]))
         first = outer if outer.value else inner
+        is_unclear = bool(outer.inner and inner.inner) and outer.each != inner.each
         return replace(
             first,
             inner=self._merged(path, outer.inner, inner.inner),
             final=outer.final or inner.final,
-            redeclares=outer.redeclares or inner.redeclares,
+            redeclares=outer.redeclares or inner.redeclares or is_unclear,
         )
 
     def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
         with suppress(UnknownError):
             for name in given.keys() - members:
                 if not self._has_class(owner, name):
-                    self.mistakes.append(f"{owner.name} has no element {name}, which {path} is given")
+                    what = f"{owner.name} has no element {name}, which {path} is given"
+                    self.mistakes.append((what, name))
 
     def _has_class(self, owner: Class, name: str) -> bool:
         return name in owner.classes or any(
@@ -197,7 +203,7 @@ class Instances:
 
     def _check_attributes(self, path: str, given: Given) -> None:
         for name in given.inner.keys() - _ATTRIBUTES:
-            self.mistakes.append(f"{path} has no attribute {name}")
+            self.mistakes.append((f"{path} has no attribute {name}", name))
 
     def _check_repeated(self, path: str, members: list[tuple[Component, Class, Given]]) -> None:
         first: dict[str, tuple[Component, Class]] = {}
@@ -205,7 +211,8 @@ class Instances:
             other, there = first.setdefault(component.name, (component, around))
             if other.modifier != component.modifier and around is not there:
                 name = _joined(path, component.name)
-                self.mistakes.append(f"{name} is declared in {there.name} and in {around.name}, differently")
+                what = f"{name} is declared in {there.name} and in {around.name}, differently"
+                self.mistakes.append((what, component.name))
 
 
 _NOTHING: Final = Given()
@@ -230,5 +237,7 @@ def _inner(modifier: Modifier, scope: str) -> dict[str, Given]:
 
 def _element(given: Given, places: tuple[int, ...]) -> Given:
     """Return what an element of an array is given by a modifier of the array."""
+    if given.each:
+        return replace(given, each=False)  # which holds for this array, not for others in it
     inner = {name: _element(one, places) for name, one in given.inner.items()}
-    return replace(given, inner=inner, place=given.place if given.each else given.place + places)
+    return replace(given, inner=inner, place=given.place + places)

@@ -77,6 +77,23 @@ def test_types_sizes_and_imports() -> None:
         end M;""") == {"n": 3.0, "x": 4.0, "v": [7.0, 8.0, 9.0]}  # b is conditional
 
 
+def test_each() -> None:
+    """``each`` holds for all that is in its modifier, at the array at which it stands."""
+    assert _values("""
+        model M
+          model A Real x[2](each start = 7); parameter Real k = 1; end A;
+          model B A a[2](k = {5, 6}); end B;
+          A a[2](each x(start = {1, 2}), k = {3, 4});
+          B b[2](each a(k = {8, 9}));
+        end M;""") == {
+        **{f"a[{i}].x": [1.0, 2.0] for i in (1, 2)},
+        "a[1].k": 3.0,
+        "a[2].k": 4.0,
+        **{f"b[{i}].a[{j}].x": 7.0 for i in (1, 2) for j in (1, 2)},
+        **{f"b[{i}].a[{j}].k": 7.0 + j for i in (1, 2) for j in (1, 2)},
+    }
+
+
 def test_what_may_be_redeclared_is_left_out() -> None:
     found = _instances("""
         model M
@@ -133,12 +150,16 @@ _INVALID = {
     ),
     "an unknown attribute": (
         "model A Real x(start=1,fixed=true); equation der(x)=0; end A; A a(x(strat=3));",
-        "a.x has no attribute strat",
+        "M.mo:2:69: a.x has no attribute strat",
     ),
     "another value for what is final": (
         "model A parameter Real k=1; end A; model B A a(final k=2); end B; "
         "model C extends B(a(k=5)); end C; C c;",
         "c.a.k is final and cannot be given another value",
+    ),
+    "a constant without a value": (
+        'model A constant String s = "text"; constant Real c; end A; A a;',
+        "the constant a.c has no value",
     ),
     "a variable of a base, declared again": (
         "model A parameter Real k=1; end A; model B extends A; parameter Real k=2; end B; B b;",
