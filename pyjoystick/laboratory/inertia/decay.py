@@ -145,7 +145,9 @@ def _fitted(heights: FloatArray, errors: FloatArray | None, free: Sequence[bool]
         variance = max(variance, 1.0)
     found = np.zeros(3)
     found[places] = np.sqrt(variance) * _factors(np.asarray(solution.jac, np.float64)) * sizes[places]
-    return _Fit(full(solution.x), found, count * math.log(total / count) + used * math.log(count))
+    # The search ends just inside its bounds.
+    best = np.where(solution.active_mask < 0, 0.0, solution.x)
+    return _Fit(full(best), found, count * math.log(total / count) + used * math.log(count))
 
 
 def _factors(jacobian: FloatArray) -> FloatArray:

@@ -56,6 +56,13 @@ def test_a_swing_that_does_not_decay_has_numbers_all_the_same() -> None:
         assert one.value == pytest.approx(0.0, abs=1e-9)
 
 
+def test_a_swing_that_grows_a_little_has_neither() -> None:
+    """As noise makes it: both end at their bound, which is exactly zero."""
+    found = fitted_decay(0.3 + 1e-5 * np.arange(12.0))
+    assert (found.damping_ratio.value, found.friction_angle.value) == (0.0, 0.0)
+    assert math.isfinite(found.damping_ratio.uncertainty)
+
+
 @pytest.mark.parametrize("heights", [[1.5, 1.45, 1.4, 1.3, 0.31], [3.0, 2.5, 2.0, 1.5, 1.0, 0.7]])
 def test_heights_that_no_pendulum_has_end_in_numbers(heights: list[float]) -> None:
     assert math.isfinite(fitted_decay(np.array(heights)).damping_ratio.value)
