@@ -217,6 +217,9 @@ def _with_covariance(
     share = np.where(time <= passages[0], (passages[0] - after) / (passages[0] - release), 0.0)
     slope = np.where(time >= release, -share * spline(np.clip(time, release, None), nu=1), 0.0)
     jacobian = np.column_stack((design, slope))
+    # Samples of noise alone determine coefficients, but no release.
+    if np.linalg.matrix_rank(jacobian) < jacobian.shape[1]:
+        return None
     freedom = max(len(time) - jacobian.shape[1], 1)
     variance = squares / freedom
     inverse = np.linalg.inv(np.linalg.qr(jacobian, mode="r"))
