@@ -22,6 +22,8 @@ from pyjoystick.support import FloatArray, ParameterError, type_text
 FEWEST_SAMPLES_IN_SWING: Final = 2.0
 #: A peak is significant while it is this many of its standard errors high.
 SIGNIFICANT: Final = 2.5
+#: The first peak of the velocity may be lower than the second by this many of their standard errors.
+_LOWER: Final = 4.0
 #: Largest ratio of successive swing durations; the period falls with the amplitude.
 _LONGER: Final = 1.5
 #: Swings are followed down to this many standard deviations of the noise
@@ -61,7 +63,8 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
 
     Raises:
         ParameterError: the argument is not a record
-        RecordError: the samples do not determine a motion with a release and two swings
+        RecordError: the samples do not determine a motion with a release and two swings, or the first peak of
+            the velocity is lower than the second
     """
     if not isinstance(record, Record):
         allowed = "a Record; of a run, find_peaks(run.index, run['theta'])"
@@ -72,6 +75,8 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
     if finer < THRESHOLD * largest:
         fitted = _fit(record, finer)
     angle_error = math.sqrt(float(fitted.variance(np.array([fitted.release]))[0]))
+    velocity = _peaks(fitted, record.interval, 1)
+    _require_release(record, velocity)
     return MeasuredPeaks(
         name=record.name,
         release_time=fitted.release,
@@ -79,8 +84,26 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
         release_angle=float(fitted.spline(fitted.release)),
         release_angle_error=angle_error,
         displacement=_peaks(fitted, record.interval, 0),
-        velocity=_peaks(fitted, record.interval, 1),
+        velocity=velocity,
         noise=fitted.noise,
+    )
+
+
+def _require_release(record: Record, velocity: pd.DataFrame) -> None:
+    """Refuse a first peak of the velocity that is lower than the second: damping leaves no such motion."""
+    first, second = velocity["value"].abs().to_numpy()[:2] if len(velocity) > 1 else (0.0, 0.0)
+    allowed = _LOWER * float(np.linalg.norm(velocity["value_error"][:2]))
+    if second - first <= allowed:
+        return
+    time = float(velocity["time"].iloc[0])
+    raise RecordError(
+        record.source,
+        "the release is not found: the first peak of the velocity is lower than the second, "
+        f"{second:.3g} rad/s",
+        "begin the record at rest before the release, and leave out what the hand does before",
+        column="theta",
+        rows=[record.rows[int(np.argmin(np.abs(record.time - time)))]],
+        value=f"{first:.3g} rad/s at {time:.4g} s",
     )
 
 

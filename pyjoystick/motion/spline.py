@@ -24,12 +24,17 @@ _DEGREE: Final = 3
 _SAMPLES_FOR_INNER_KNOT: Final = 5
 #: The time at which the first swing leaves rest is also fitted, so it needs a knot only if it is longer.
 _FIRST_SWING_SAMPLES: Final = 8
+#: Error of the release without noise, relative to the first swing: rms over damping laws and release angles.
+_RELEASE_ERROR: Final = 0.005
 #: Number of first swings from which the release is found.
 _SWINGS_FOR_RELEASE: Final = 3
-#: The first guess is the last time at which the angle is above this part of the largest.
-_HELD: Final = 0.97
-#: The guess is late by at most this part of the time to the first crossing, at which a parabola starts.
-_LATE: Final = 0.3
+#: Part of the first swing that follows half of its height, for a constant acceleration.
+_AFTER_HALF: Final = 1.0 - math.sqrt(0.5)
+#: The release is sought within this part of the first swing of the first guess,
+_SOUGHT: Final = 0.4
+_GUESSES: Final = 20
+#: and, with a knot in the first swing, within this part of that found without.
+_NEAR: Final = 0.1
 #: Smallest singular value of a determined model, relative to the largest.
 _WORST_CONDITION: Final = 1e-3
 #: Maximum number of alternations between fitting and locating the crossings.
@@ -64,8 +69,9 @@ class MotionSpline:
 
     @property
     def release_variance(self) -> float:
-        """Variance of the time of release (s2)."""
-        return float(self.covariance[-1, -1])
+        """Variance of the time of release (s2), of noise and of what the spline does to the motion."""
+        of_model = _RELEASE_ERROR * (float(self.passages[0]) - self.release)
+        return float(self.covariance[-1, -1]) + of_model**2
 
 
 def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> MotionSpline | None:
@@ -73,6 +79,9 @@ def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> Mot
 
     The angle is constant up to the release and starts with zero velocity; the time of release is also
     fitted, between samples. Without samples of the hold, it is where the velocity vanishes.
+
+    Releases are compared with the same number of knots: one more knot in the first swing for early releases
+    would fit noise of the hold. Whether there is one is decided by a first search without it.
 
     Args:
         time: times (s), shape (n,), from the hold to the last crossing or beyond
@@ -82,26 +91,39 @@ def fit_spline(time: FloatArray, theta: FloatArray, passages: FloatArray) -> Mot
     interval = float(np.median(np.diff(time)))
     inside = time <= passages[-1]
     time, theta = time[inside], theta[inside]
-    candidates = _guesses(time, theta, float(passages[0]), interval)
+    candidates = _guesses(time, theta, float(passages[0]))
+    release = _best_release(time, theta, candidates, passages, False)
+    knot = int(np.count_nonzero((time >= release) & (time < passages[0]))) >= _FIRST_SWING_SAMPLES
+    if knot:
+        candidates = release + _NEAR * (passages[0] - release) * np.linspace(-1.0, 1.0, 9)
     for _ in range(_ROUNDS):
-        release = _best_release(time, theta, candidates, passages)
+        release = _best_release(time, theta, candidates, passages, knot)
         candidates = release + interval * np.array([-0.1, 0.0, 0.1])
-        fitted = _least_squares(time, theta, release, passages)
+        fitted = _least_squares(time, theta, release, passages, knot)
         if fitted is None:
             return None
-        passages = _passages(_spline(fitted[0], release, passages, time), passages, interval)
-    return _with_covariance(time, theta, release, passages)
+        passages = _passages(_spline(fitted[0], release, passages, time, knot), passages, interval)
+    return _with_covariance(time, theta, release, passages, knot)
 
 
-def _guesses(time: FloatArray, theta: FloatArray, first_passage: float, interval: float) -> FloatArray:
-    """Times around the last one before the first crossing at which the joystick seems held."""
+def _guesses(time: FloatArray, theta: FloatArray, first_passage: float) -> FloatArray:
+    """Times around that at which a constant acceleration would have begun.
+
+    From the time of half the height to the crossing: there, noise moves the time least. The last sample
+    at the height of the hold is often far from the release.
+    """
     before = time < first_passage
-    held = np.flatnonzero(np.abs(theta[before]) >= _HELD * np.max(np.abs(theta[before])))
-    last = float(time[held[-1]])
-    return np.linspace(last - _LATE * (first_passage - last) - interval, last + 0.75 * interval, 12)
+    times, heights = np.append(time[before], first_passage), np.append(np.abs(theta[before]), 0.0)
+    half = 0.5 * float(np.max(heights))
+    last = int(np.flatnonzero(heights >= half)[-1])
+    at_half = np.interp(-half, -heights[last : last + 2], times[last : last + 2])
+    first_swing = (first_passage - at_half) / _AFTER_HALF
+    return np.asarray(first_passage - first_swing * np.linspace(1.0 + _SOUGHT, 1.0 - _SOUGHT, _GUESSES))
 
 
-def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, passages: FloatArray) -> float:
+def _best_release(
+    time: FloatArray, theta: FloatArray, candidates: FloatArray, passages: FloatArray, knot: bool
+) -> float:
     """Time of release with the least squares over the first swings, near the best candidate."""
     few = passages[:_SWINGS_FOR_RELEASE]
     inside = time <= few[-1]
@@ -109,7 +131,7 @@ def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, p
     nothing_explained = float(theta @ theta)
 
     def squares(release: float) -> float:
-        fitted = _least_squares(time, theta, release, few)
+        fitted = _least_squares(time, theta, release, few, knot)
         return nothing_explained if fitted is None else fitted[1]
 
     best = float(candidates[np.argmin([squares(candidate) for candidate in candidates])])
@@ -121,12 +143,12 @@ def _best_release(time: FloatArray, theta: FloatArray, candidates: FloatArray, p
     return best + float(found.x)
 
 
-def _knots(release: float, passages: FloatArray, time: FloatArray) -> FloatArray:
+def _knots(release: float, passages: FloatArray, time: FloatArray, knot: bool) -> FloatArray:
     knots = [release] * (_DEGREE + 1)
     edges = [release, *passages.tolist()]
     for start, end in pairwise(edges):
         samples = int(np.count_nonzero((time >= start) & (time < end)))
-        if samples >= (_FIRST_SWING_SAMPLES if start == release else _SAMPLES_FOR_INNER_KNOT):
+        if knot if start == release else samples >= _SAMPLES_FOR_INNER_KNOT:
             knots.append(0.5 * (start + end))
         knots += [end] * 2
     return np.array([*knots[:-2], *[edges[-1]] * (_DEGREE + 1)])
@@ -150,7 +172,7 @@ def _design(knots: FloatArray, time: FloatArray) -> FloatArray:
 
 
 def _least_squares(
-    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
+    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray, knot: bool
 ) -> tuple[FloatArray, float] | None:
     """Coefficients and the sum of squares; None if the samples do not determine them.
 
@@ -158,7 +180,7 @@ def _least_squares(
     """
     if not np.all(np.diff(passages, prepend=release) > 0.0):
         return None
-    design = _design(_knots(release, passages, time), time)
+    design = _design(_knots(release, passages, time, knot), time)
     coefficients, _, rank, _ = np.linalg.lstsq(design, theta, rcond=_WORST_CONDITION)
     if rank < design.shape[1]:
         return None
@@ -166,8 +188,10 @@ def _least_squares(
     return np.asarray(coefficients, dtype=np.float64), float(residual @ residual)
 
 
-def _spline(coefficients: FloatArray, release: float, passages: FloatArray, time: FloatArray) -> BSpline:
-    knots = _knots(release, passages, time)
+def _spline(
+    coefficients: FloatArray, release: float, passages: FloatArray, time: FloatArray, knot: bool
+) -> BSpline:
+    knots = _knots(release, passages, time, knot)
     return BSpline(knots, np.insert(coefficients, 0, coefficients[0]), _DEGREE)
 
 
@@ -180,19 +204,22 @@ def _passages(spline: BSpline, passages: FloatArray, interval: float) -> FloatAr
 
 
 def _with_covariance(
-    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray
+    time: FloatArray, theta: FloatArray, release: float, passages: FloatArray, knot: bool
 ) -> MotionSpline | None:
-    fitted = _least_squares(time, theta, release, passages)
+    fitted = _least_squares(time, theta, release, passages, knot)
     if fitted is None:
         return None
     coefficients, squares = fitted
-    spline = _spline(coefficients, release, passages, time)
+    spline = _spline(coefficients, release, passages, time, knot)
     design = _design(spline.t, time)
     # Derivative of the samples with respect to the release time, with the following swing moving along.
     after = np.clip(time, release, passages[0])
     share = np.where(time <= passages[0], (passages[0] - after) / (passages[0] - release), 0.0)
     slope = np.where(time >= release, -share * spline(np.clip(time, release, None), nu=1), 0.0)
     jacobian = np.column_stack((design, slope))
+    # Samples of noise alone determine coefficients, but no release.
+    if np.linalg.matrix_rank(jacobian) < jacobian.shape[1]:
+        return None
     freedom = max(len(time) - jacobian.shape[1], 1)
     variance = squares / freedom
     inverse = np.linalg.inv(np.linalg.qr(jacobian, mode="r"))

@@ -96,6 +96,8 @@ def _points(name: str, time: FloatArray, peak: FloatArray, start: float, inertia
 
 #: The three lines of Fig. 9.
 LINES: Final = ("positive", "negative", "velocity")
+#: Records that a message names; of more, it gives the number.
+_NAMED: Final = 3
 #: The three readings of a constant damping coefficient.
 CONSTANTS: Final = ("displacement", "velocity", "both")
 
@@ -178,7 +180,8 @@ def estimate_damping(
         clock: origin of time for velocity peaks, see `velocity_points`
 
     Raises:
-        DampingEstimateError: no release, or too few points for a line (three on either side)
+        DampingEstimateError: no release, too few points for a line (three on either side), or peaks that do
+            not fall
         ParameterError: the inertia is not above zero
     """
     if not releases:
@@ -196,11 +199,13 @@ def estimate_damping(
         "velocity": velocity,
     }
     usable = {name: points[points["C"] > 0.0] for name, points in sides.items()}
+    names = [one.name for one in releases]
+    of = ", ".join(names) if len(names) <= _NAMED else f"{len(names)} records"
     return DampingEstimate(
         displacement=displacement,
         velocity=velocity,
         lines={
-            name: fit_power_line(points["peak"].abs(), points["C"], name=f"{name} peaks")
+            name: fit_power_line(points["peak"].abs(), points["C"], name=f"{name} peaks of {of}")
             for name, points in usable.items()
         },
         constants=_constants(displacement, velocity),
@@ -220,6 +225,9 @@ def _constants(displacement: pd.DataFrame, velocity: pd.DataFrame) -> dict[str, 
 
 
 def _constant(values: pd.Series) -> ConstantEstimate:
-    count = len(values)
+    count, mean = len(values), float(values.mean())
+    if not mean > 0.0:
+        reason = f"the {values.name} peaks do not fall: C = {values.min():.3g} N m s/rad"
+        raise DampingEstimateError(f"{values.idxmin()}: {reason} (all records: {mean:.3g}), must be above 0")
     error = float(np.std(values, ddof=1)) / math.sqrt(count) if count > 1 else None
-    return ConstantEstimate(float(values.mean()), error, count)
+    return ConstantEstimate(mean, error, count)

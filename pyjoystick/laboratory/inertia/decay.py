@@ -56,24 +56,30 @@ class Decay:
     margins: dict[str, float]
 
 
-def fitted_decay(heights: FloatArray) -> Decay:
+def fitted_decay(heights: FloatArray, errors: FloatArray | None = None) -> Decay:
     """Fit both contributions to the heights of successive turns.
+
+    Neither is below zero: nothing drives the pendulum. Few heights, or nearly constant ones, do not tell the
+    two apart, so that the standard error of the fit grows without limit. That of an estimate is
+    therefore at most the value that it would have if it explained the decay alone.
 
     Args:
         heights: amplitudes (rad), above 0, shape (n,), n of 5 or more
+        errors: their standard errors (rad); by default all the same, and found from the misfit
     """
-    fits = {name: _fitted(heights, free) for name, free in _MODELS.items()}
-    criteria = {name: one[2] for name, one in fits.items()}
+    fits = {name: _fitted(heights, errors, free) for name, free in _MODELS.items()}
+    criteria = {name: one.criterion for name, one in fits.items()}
     least = min(criteria.values())
-    preferred = min(criteria, key=lambda name: criteria[name])
-    # Nearly constant amplitudes do not distinguish the two.
-    told_apart = bool(np.all(np.isfinite(fits[_BOTH][1])))
-    values, errors, _ = fits[_BOTH if told_apart else preferred]
-    freedom = len(heights) - 3.0
+    both, freedom = fits[_BOTH], len(heights) - 3.0
+
+    def estimate(place: int, alone: _Fit) -> Measured:
+        most = alone.values[place] + alone.errors[place]
+        return Measured(float(both.values[place]), float(min(both.errors[place], most)), freedom)
+
     return Decay(
-        Measured(float(values[1]), float(errors[1]), freedom),
-        Measured(float(values[2]), float(errors[2]), freedom),
-        preferred,
+        estimate(1, fits["viscous damping alone"]),
+        estimate(2, fits["dry friction alone"]),
+        min(criteria, key=lambda name: criteria[name]),
         {name: one - least for name, one in criteria.items()},
     )
 
@@ -96,14 +102,23 @@ def decaying_heights(first: float, damping_ratio: float, friction_angle: float, 
     return found
 
 
-def _fitted(heights: FloatArray, free: Sequence[bool]) -> tuple[FloatArray, FloatArray, float]:
-    """First height, damping ratio and friction angle; their standard errors, NaN if fixed; BIC."""
+@dataclass(frozen=True, slots=True)
+class _Fit:
+    """First height, damping ratio and friction angle with standard errors, infinite if undetermined; BIC."""
+
+    values: FloatArray
+    errors: FloatArray
+    criterion: float
+
+
+def _fitted(heights: FloatArray, errors: FloatArray | None, free: Sequence[bool]) -> _Fit:
     count, scale = len(heights), float(np.max(heights))
     places = [0, *(i + 1 for i, one in enumerate(free) if one)]
-    rate = math.log(heights[0] / heights[-1]) / (math.pi * (count - 1))
-    start = np.array([heights[0], rate, (heights[0] - heights[-1]) / (2.0 * (count - 1))])
+    rate = max(math.log(heights[0] / heights[-1]) / (math.pi * (count - 1)), 0.0)
+    start = np.array([heights[0], rate, max((heights[0] - heights[-1]) / (2.0 * (count - 1)), 0.0)])
     start[1:] *= np.array(free) / sum(free)
     sizes = np.array([scale, 1e-2, 1e-2 * scale])
+    weights = np.ones(count) if errors is None else 1.0 / np.maximum(errors, math.sqrt(_ROUNDING) * scale)
 
     def full(own: FloatArray) -> FloatArray:
         values = np.zeros(3)
@@ -112,19 +127,32 @@ def _fitted(heights: FloatArray, free: Sequence[bool]) -> tuple[FloatArray, Floa
 
     def residuals(own: FloatArray) -> FloatArray:
         first, ratio, friction = full(own)
-        return decaying_heights(first, ratio, friction, count) - heights
+        return weights * (decaying_heights(first, ratio, friction, count) - heights)
 
     solution = least_squares(
-        residuals, start[places] / sizes[places], jac="3-point", xtol=1e-10, ftol=1e-10, gtol=None
+        residuals,
+        start[places] / sizes[places],
+        bounds=(0.0, np.inf),
+        jac="3-point",
+        xtol=1e-10,
+        ftol=1e-10,
+        gtol=None,
     )
-    total = max(float(solution.fun @ solution.fun), count * _ROUNDING * scale**2)
     used = len(places)
-    jacobian = np.asarray(solution.jac, dtype=np.float64)
-    errors = np.zeros(3)
+    total = max(float(solution.fun @ solution.fun), float(np.sum(weights**2)) * _ROUNDING * scale**2)
+    variance = total / max(count - used, 1)
+    if errors is not None:
+        variance = max(variance, 1.0)
+    found = np.zeros(3)
+    found[places] = np.sqrt(variance) * _factors(np.asarray(solution.jac, np.float64)) * sizes[places]
+    # The search ends just inside its bounds.
+    best = np.where(solution.active_mask < 0, 0.0, solution.x)
+    return _Fit(full(best), found, count * math.log(total / count) + used * math.log(count))
+
+
+def _factors(jacobian: FloatArray) -> FloatArray:
+    """Standard errors for residuals of 1; infinite if two parameters are indistinguishable."""
     norms = np.linalg.norm(jacobian, axis=0)
-    if np.all(norms > 0.0) and np.linalg.cond(jacobian / norms) < _CONDITION:
-        covariance = np.linalg.inv(jacobian.T @ jacobian) * total / max(count - used, 1)
-        errors[places] = np.sqrt(np.diag(covariance)) * sizes[places]
-    else:
-        errors[places] = math.nan
-    return full(solution.x), errors, count * math.log(total / count) + used * math.log(count)
+    if not np.all(norms > 0.0) or np.linalg.cond(jacobian / norms) > _CONDITION:
+        return np.full(len(norms), math.inf)
+    return np.asarray(np.sqrt(np.diag(np.linalg.inv(jacobian.T @ jacobian))))

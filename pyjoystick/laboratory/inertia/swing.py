@@ -21,6 +21,10 @@ REACTION_TIME: Final = 0.05
 #: Largest ratio of two readings of the same pendulum.
 _ALIKE: Final = 1.5
 _NODES: Final = 16
+#: Smallest part of a small swing's drive at the turn, in the middle: where less is left, the joystick stops.
+_BARELY: Final = 0.01
+#: Growth of the product of both frictions with the amplitude, from the second order of the energy's integral.
+_BOTH_AT_AMPLITUDE: Final = 0.1835
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +54,29 @@ def amplitude_factor(amplitude: ArrayLike) -> FloatArray:
         same shape; 1.0019 at 10 degrees
     """
     return np.asarray(2.0 / math.pi * ellipk(np.sin(np.asarray(amplitude, np.float64) / 2.0) ** 2))
+
+
+def half_swing_factor(amplitude: FloatArray, friction_angle: float, damping_ratio: float) -> FloatArray:
+    """Time from one passage of the middle to the next, over that of small swings without dry friction.
+
+    Without viscous damping, omega^2 = 2*w^2*(cos(theta) - cos(A) +- f*(A - theta)) on the way to the turn at
+    A and back, f the angle of friction, w the natural frequency. The way there becomes shorter by dry
+    friction, and the way back longer by a little more: 2*f^2/A^2 for small angles, or pi*z*f/A with viscous
+    damping too, whose ratio is z.
+
+    Args:
+        amplitude: A (rad), above 0, shape (n,)
+        friction_angle: f (rad)
+        damping_ratio: z
+    """
+    nodes, weights = leggauss(_NODES)
+    # With theta = A*(1 - s^2), the integrand has no singularity at the turn, s = 0.
+    fall = amplitude[:, None] * ((nodes + 1.0) / 2.0) ** 2
+    weight = 2.0 * np.sin(amplitude[:, None] - fall / 2.0) * np.sinc(fall / (2.0 * math.pi))
+    least = _BARELY * amplitude[:, None]
+    both = sum(1.0 / np.sqrt(np.maximum(weight + 2.0 * side * friction_angle, least)) for side in (-1.0, 1.0))
+    viscous = damping_ratio * friction_angle * (1.0 / amplitude + _BOTH_AT_AMPLITUDE * amplitude)
+    return np.sqrt(amplitude) * (both @ weights) / math.pi + viscous
 
 
 def mean_amplitude_factor(first: float, last: float) -> float:
@@ -93,28 +120,26 @@ def period_of_readings(
     if times.max() > _ALIKE * times.min():
         given = f"from {times.min():g} to {times.max():g} s"
         raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
-    last_amplitude = last_amplitude or first_amplitude
-    for name, one in (("first_amplitude", first_amplitude), ("last_amplitude", last_amplitude)):
-        not_negative(name, angle(name, one.value), "rad")
-    if last_amplitude.value > first_amplitude.value:
-        allowed = f"at most the first amplitude, {first_amplitude.value:g} rad"
-        raise ParameterError("last_amplitude", last_amplitude.value, allowed)
+    amplitudes = {"first_amplitude": first_amplitude, "last_amplitude": last_amplitude or first_amplitude}
+    first, last = (not_negative(name, angle(name, one.value), "rad") for name, one in amplitudes.items())
+    if last > first:
+        raise ParameterError("last_amplitude", last, f"at most the first amplitude, {first:g} rad")
     scatter = float(np.std(times, ddof=1)) / math.sqrt(len(times)) if len(times) > 1 else 0.0
     quantities = {
         "mean of the readings": Measured(float(np.mean(times)), scatter, max(len(times) - 1.0, 1.0)),
         "reaction": Measured(0.0, not_negative("reaction_time", reaction_time, "s")),
         "first amplitude": first_amplitude,
-        "last amplitude": last_amplitude,
     }
+    # One amplitude for both is one quantity, with one error.
+    if last_amplitude is not None:
+        quantities["last amplitude"] = last_amplitude
 
     def small(**by_name: float) -> float:
-        time, reaction, first, last = by_name.values()
-        return (time + reaction) / swings / mean_amplitude_factor(abs(first), abs(last))
+        time, reaction, first, *others = by_name.values()
+        return (time + reaction) / swings / mean_amplitude_factor(abs(first), abs([first, *others][-1]))
 
     return SwingPeriod(
-        combined(small, quantities),
-        float(np.mean(times)) / swings,
-        mean_amplitude_factor(first_amplitude.value, last_amplitude.value),
+        combined(small, quantities), float(np.mean(times)) / swings, mean_amplitude_factor(first, last)
     )
 
 

@@ -102,12 +102,21 @@ def test_a_peak_no_lower_than_the_release_is_left_out_and_counted() -> None:
     assert estimate.displacement["C"].iloc[0] < 0.0
 
 
+def test_peaks_that_do_not_fall_are_refused_with_their_record() -> None:
+    """A first peak that is much too low makes C negative."""
+    good, bad = (linear_release(J, C, 30.0, name=name) for name in ("good", "bad"))
+    velocity = bad.velocity.assign(value=bad.velocity["value"].where(bad.velocity.index > 0, 0.01))
+    bad = dataclasses.replace(bad, velocity=velocity)
+    with pytest.raises(DampingEstimateError, match=r"^bad: the velocity peaks do not fall: C = -.*above 0"):
+        estimate_damping([good, bad], J)
+
+
 def test_too_little_is_refused() -> None:
     with pytest.raises(DampingEstimateError, match="no release"):
         estimate_damping([], J)
     release = linear_release(J, C, 30.0)
     few = dataclasses.replace(release, displacement=peak_table([2.1, 2.2], [0.2, -0.1]))
-    with pytest.raises(DampingEstimateError, match="positive peaks: 1 points"):
+    with pytest.raises(DampingEstimateError, match="positive peaks of linear: 1 points"):
         estimate_damping([few], J)
 
 

@@ -54,11 +54,19 @@ def small_swing(
     return Record("small swing", time, theta)
 
 
-def rubbing_swing(friction: float, seed: int | None, *, damping: float = DAMPING) -> Record:
+def rubbing_swing(
+    friction: float,
+    seed: int | None,
+    *,
+    damping: float = DAMPING,
+    amplitude: float = math.radians(25.0),
+    rate: float = 60.0,
+    duration: float = 20.0,
+) -> Record:
     """As `swing`, with dry friction (N m), half swing by half swing, until it sticks."""
-    time = np.arange(0.0, 20.0, 1.0 / 60.0)
+    time = np.arange(0.0, duration, 1.0 / rate)
     theta = np.empty_like(time)
-    now, angle, sign = 0.0, math.radians(25.0), -1.0
+    now, angle, sign = 0.0, amplitude, -1.0
 
     def fall(_: float, state: np.ndarray[tuple[int], np.dtype[np.float64]]) -> list[float]:
         moment = WEIGHT * math.sin(state[0]) + damping * state[1] + sign * friction

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from pyjoystick.laboratory import Measured, from_parts, read_parts
@@ -50,11 +51,35 @@ def test_uncertainties_by_hand() -> None:
         name="ball", mass=Measured(2.0, 0.01), height=Measured(0.5, 0.002), inertia=Measured(0.1, 0.005)
     )
     found = from_parts([part])
-    by_part = {"mass": 0.25 * 0.01, "height": 2.0 * 2.0 * 0.5 * 0.002, "inertia": 0.005}
+    at_second_order = math.sqrt(3.0) * 2.0 * 0.002**2
+    of_height = math.hypot(2.0 * 2.0 * 0.5 * 0.002, at_second_order)
+    by_part = {"mass": 0.25 * 0.01, "height": of_height, "inertia": 0.005}
     for what, expected in by_part.items():
         assert found.J.budget[f"ball: {what}"] == pytest.approx(expected, rel=1e-9)
     assert found.J.uncertainty == pytest.approx(math.hypot(*by_part.values()), rel=1e-9)
     assert found.h.uncertainty == pytest.approx(0.002, rel=1e-9)
+
+
+def test_a_part_on_the_axis_may_be_off_it() -> None:
+    """At an offset of 0, J has a minimum: m*x^2 has the mean m*u^2 and the variance 2*(m*u^2)^2."""
+    masses, error = (0.5, 0.37), 0.005
+    parts = [
+        Part(
+            name=str(mass),
+            mass=Measured(mass),
+            height=Measured(0.1),
+            inertia=Measured(1e-3),
+            offset=Measured(0.0, error),
+        )
+        for mass in masses
+    ]
+    found = from_parts(parts)
+    shift, variance = sum(masses) * error**2, 2.0 * sum(mass**2 for mass in masses) * error**4
+    assert found.J.uncertainty == pytest.approx(math.hypot(shift, math.sqrt(variance)), rel=1e-9)
+    assert found.J.uncertainty == pytest.approx(math.hypot(*found.J.budget.values()), rel=1e-9)
+    offsets = error * np.random.default_rng(1).standard_normal((20_000, 2))
+    errors = offsets**2 @ np.array(masses)
+    assert found.J.uncertainty == pytest.approx(np.sqrt(np.mean(errors**2)), rel=0.05)
 
 
 def test_a_file(tmp_path: Path) -> None:
