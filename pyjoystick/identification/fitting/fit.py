@@ -98,6 +98,7 @@ def fit(
         found = _searched(measured, ordered, opened, tell)
 
         def make(other: FitSettings, fmu: Fmu | None, *, mirrored: bool = False) -> Problem:
+            tell("looking for causes", 0, 1)
             shown = [one.mirrored() for one in measured] if mirrored else measured
             return make_problem(shown, other, fmu or opened)
 

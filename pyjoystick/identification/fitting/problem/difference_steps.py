@@ -73,7 +73,7 @@ def _of_variable(
 ) -> tuple[float, float, float]:
     """Best step, relative error of the derivative at that step, and scatter of the values."""
     one = model.variables.free[variable]
-    below, above = x[variable] - one.minimum, one.maximum - x[variable]
+    below, above = x[variable] - one.lowest, one.highest - x[variable]
     ladder = [float(step) * one.scale for step in LADDER]
     moves = [move for step in ladder for move in (-step, step) if -below <= move <= above]
     values = model.moved(x, variable, moves, record)
