@@ -16,7 +16,7 @@ FIRST_STEP: Final = 1e-4
 LADDER: FloatArray = 10.0**-6.5 * RATIO ** np.arange(10)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class StepChoice:
     """Chosen difference steps and their errors.
 
