@@ -37,7 +37,7 @@ _INTERVAL: Final = 0.1
 _GRACE: Final = 5.0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class BatchResult(Shown):
     """Results of many runs, one row per run in the order of the given table.
 

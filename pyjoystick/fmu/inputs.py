@@ -36,7 +36,7 @@ _NOT_SECONDS: Final = re.compile(
 _SECONDS: Final = frozenset({"s", "sec", "secs", "second", "seconds", "sekunde", "sekunden"})
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class InputSeries:
     """One input at the communication points t[0] .. t[n-1].
 
@@ -51,7 +51,7 @@ class InputSeries:
     slopes: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class InputTable:
     """Checked inputs.
 

@@ -26,7 +26,7 @@ from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, DISCARD, FATAL, FLAGS_
 from pyjoystick.fmu.values import INTEGERS, Value, whole_number_for
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Instance:
     """One instance of an FMU.
 

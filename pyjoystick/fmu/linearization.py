@@ -26,7 +26,7 @@ _STEPS: Final = 1000
 _MOST_STEPS: Final = 1_000_000
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Linearization:
     """d/dt dx = A dx + B du and dy = C dx + D du about one point, for the branch active there.
 

@@ -18,7 +18,7 @@ from pyjoystick.fmu.values import Value
 from pyjoystick.support import FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Preparation:
     """A run of an FMU, ready to be executed with any varied values.
 

@@ -38,7 +38,7 @@ from pyjoystick.support import FloatArray
 _GOOD: Final = (OK, WARNING, UNFINISHED, STOPPED)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Samples:
     """Samples of a run that the FMU terminated.
 
@@ -53,7 +53,7 @@ class Samples:
     raw: NDArray[np.void]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Job:
     """Runs to execute, and arrays for their results.
 

@@ -20,7 +20,7 @@ SHAPES: Final[tuple[Shape, ...]] = get_args(Shape)
 Travel = Callable[[FloatArray], FloatArray]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Profile:
     """A stroke of unit length in unit time, with smooth pieces.
 
@@ -229,7 +229,7 @@ class ForwardAndReturn:
 _Motion = Callable[[FloatArray], FloatArray]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Piece:
     """A smooth part of a motion, from `start` to `end` (s)."""
 

@@ -17,7 +17,7 @@ from pyjoystick.support import TextTable, versions
 _PEAKS = 9
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Case:
     """A free oscillation on an FMU, and its differences from the reference.
 

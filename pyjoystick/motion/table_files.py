@@ -33,7 +33,7 @@ LARGEST: Final = 1e60
 EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class TableFile:
     """A table whose cells are text.
 

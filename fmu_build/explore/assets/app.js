@@ -18,6 +18,8 @@ import { State } from "./state.js";
 import { ValueTable } from "./value-table.js";
 
 const REST = 150; // milliseconds
+const BUSY = "The model is computing. What is shown is an earlier run.";
+const UNSAVED = "Nothing was saved: what is shown is an earlier run.";
 
 export async function start(addition = {}) {
   const app = new App(addition);
@@ -65,11 +67,7 @@ class App {
     return [
       make("button", { type: "button", onclick: () => this.state.reset() }, "Reset all"),
       this.keep,
-      make(
-        "button",
-        { type: "button", onclick: () => save(file("csv"), csvText(this.run, this.shownNames), "text/csv") },
-        "CSV",
-      ),
+      make("button", { type: "button", onclick: () => this.saveCsv(file("csv")) }, "CSV"),
       make("button", { type: "button", onclick: () => this.savePng(file("png")) }, "PNG"),
     ];
   }
@@ -93,7 +91,19 @@ class App {
     return [...new Set([...this.plots.names, ...(this.addition.names?.() ?? [])])];
   }
 
+  saveCsv(name) {
+    if (this.isCurrent()) save(name, csvText(this.run, this.shownNames), "text/csv");
+  }
+
+  // Whether the run that is shown has the chosen values; a file would say nothing of it.
+  isCurrent() {
+    if (!document.body.classList.contains("stale")) return true;
+    this.alert(`${UNSAVED} ${this.reason}`);
+    return false;
+  }
+
   async savePng(name) {
+    if (!this.isCurrent()) return;
     this.settle();
     const panels = [...this.plots.panels, ...(this.addition.plots?.() ?? [])].filter(
       (one) => one.canvas.clientWidth > 0,
@@ -108,6 +118,7 @@ class App {
     this.controls.refresh(origin);
     if (origin === "address") this.noteIgnored();
     if (origin === "plots" || origin === "address" || origin === "reset") this.plots.choose(this.state.plots);
+    this.isBusy = Boolean(this.simulation);
     this.simulation?.run(runRequest(this.state, this.names));
   }
 
@@ -118,6 +129,7 @@ class App {
       if (request.session === this.session?.id) this.session.received(result, request);
       return;
     }
+    this.isBusy = this.simulation.isBusy;
     if (result.rows > 0) this.show(new Run(request, result));
     document.body.classList.toggle("stale", result.rows === 0);
     this.explain(result, request);
@@ -135,9 +147,19 @@ class App {
     this.controls.showErrors(message);
     const time =
       request && result.rows > 0 ? ` at ${numberText(request.start + (result.rows - 1) * request.step)} s` : "";
-    this.alert(isWhole ? "" : `The run stopped${time} (${result.status}). ${message}`);
+    this.reason = isWhole ? "" : `The run stopped${time} (${result.status}). ${message}`;
+    this.alert(this.reason);
     if (result.rows > 0) write(this.footer, `${result.rows} rows in ${result.milliseconds.toFixed(1)} ms`);
     document.body.dataset.runs = Number(document.body.dataset.runs ?? 0) + 1;
+  }
+
+  // A run that takes long must not stand under the message of the one before.
+  tellBusy() {
+    if (!this.isBusy || this.run.rows === 0) return;
+    document.body.classList.add("stale");
+    this.controls.showErrors("");
+    this.reason = "";
+    this.alert(BUSY);
   }
 
   alert(message) {
@@ -199,6 +221,7 @@ class App {
   // What would only hold up the pictures while a slider moves: plots out of view, words and tables.
   settle() {
     clearTimeout(this.timer);
+    this.tellBusy();
     this.drawNow(true);
     this.plots.describe(this.run);
     this.table.show(this.run, this.shownNames);

@@ -22,6 +22,11 @@ export class Simulation {
     this.worker.postMessage({ module: this.module });
   }
 
+  // Whether a run is under way or waits.
+  get isBusy() {
+    return Boolean(this.waiting || this.running?.request);
+  }
+
   run(request) {
     this.waiting = { id: ++this.id, request };
     this.next();

@@ -23,7 +23,7 @@ _GROUP_TIME: Final = 0.1
 _PLAIN_RUNS: Final = 4
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
     """Results of some runs, up to the first that failed.
 

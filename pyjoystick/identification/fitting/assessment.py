@@ -14,11 +14,11 @@ from pyjoystick.identification.fitting.checks.rivals import Make, tried
 from pyjoystick.identification.fitting.checks.score_test import Finding, score_test, significant
 from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.checks.suspects import suspects
+from pyjoystick.identification.fitting.checks.torque_noise import check_torque_noise
 from pyjoystick.identification.fitting.checks.unseen import Unseen, unseen
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
-from pyjoystick.identification.fitting.problem.noise_color import Memory
-from pyjoystick.identification.fitting.problem.noise_model import relative_sizes
+from pyjoystick.identification.fitting.problem.noise_model import NoiseModel, relative_sizes
 from pyjoystick.identification.fitting.problem.peak_prediction import missing_peaks
 from pyjoystick.identification.fitting.problem.settings import FitSettings
 from pyjoystick.identification.fitting.problem.trajectory_prediction import TrajectoryPredictor
@@ -52,6 +52,7 @@ def record_fits(problem: Problem, x: FloatArray) -> tuple[RecordFit, ...]:
                 predictor.curve(problem.variables.row(x, number), problem.variables.instrument(x, number))
                 if isinstance(predictor, TrajectoryPredictor)
                 else None,
+                torque_noise=problem.noise.torque_level(number),
             )
         )
     return tuple(found)
@@ -108,6 +109,9 @@ def all_checks(
     ]
     if offsets:
         found.append(trust.check_zero(offsets))
+    torque = check_torque_noise(problem, best.x, errors.errors)
+    if torque is not None:
+        found.append(torque)
     return [*found, *_residual_checks(problem, settings, best.x, records, least, make)]
 
 
@@ -215,9 +219,9 @@ def _tied_slopes(variables: Variables, x: FloatArray, record: int) -> FloatArray
 
 
 def criteria_of(
-    settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float, memories: Sequence[Memory]
+    settings: FitSettings, records: Sequence[RecordFit], rank: int, cost: float, noise: NoiseModel
 ) -> Criteria | None:
-    """AICc and BIC for normal noise, white or autoregressive.
+    """AICc and BIC for normal noise, white or autoregressive, and for that of a measured torque.
 
     None if peaks are compared, whose errors have no such model. With outliers down-weighted, the weights
     differ between models, so their criteria are hardly comparable.
@@ -235,7 +239,8 @@ def criteria_of(
     spare = max(samples - rank, 1) / samples if estimated else 1.0
     logs += 0.5 * samples * math.log(spare)
     likelihood = -0.5 * cost / spare - logs - 0.5 * samples * math.log(2.0 * math.pi)
-    squares = [one.previous**2 for one in memories]
+    squares = [one.previous**2 for one in noise.memories]
     likelihood -= 0.5 * sum(float(np.sum(np.log1p(-one))) for one in squares)
-    is_colored = any(one.any() for one in squares)
-    return criteria(likelihood, rank + estimated + is_colored, samples)
+    likelihood -= 0.5 * sum(one.logarithm for one in noise.whiteners)
+    more = any(one.any() for one in squares) + (noise.torque_part > 0.0)
+    return criteria(likelihood, rank + estimated + more, samples)

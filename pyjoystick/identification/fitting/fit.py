@@ -98,6 +98,7 @@ def fit(
         found = _searched(measured, ordered, opened, tell)
 
         def make(other: FitSettings, fmu: Fmu | None, *, mirrored: bool = False) -> Problem:
+            tell("looking for causes", 0, 1)
             shown = [one.mirrored() for one in measured] if mirrored else measured
             return make_problem(shown, other, fmu or opened)
 
@@ -156,6 +157,7 @@ def _searched(measured: Sequence[Measurement], settings: FitSettings, fmu: Fmu, 
     best = _refined(problem, best, settings)
     settled = False
     for number in range(1, _MOST_ROUNDS + 1):
+        tell("estimating the noise", 0, 1)
         before, problem = problem, with_noise_of(problem, best.x, settings, steps.least(settings.tolerance))
         settled = has_settled(before, problem, settings)
         _LOG.info("noise, round %d: %s", number, "settled" if settled else "has changed")
@@ -255,7 +257,7 @@ def _judged(found: _Found, settings: FitSettings, make: Make, tell: OnProgress) 
         derived=derived,
         minima=found.minima,
         identifiability=known,
-        criteria=criteria_of(settings, records, known.rank, best.cost, problem.noise.memories),
+        criteria=criteria_of(settings, records, known.rank, best.cost, problem.noise),
         records=records,
         checks=tuple(checks),
         steps=steps,

@@ -52,6 +52,7 @@ def _record(one: RecordFit) -> dict[str, Any]:
     return {
         "name": one.name,
         "noise": one.sigma,
+        "torque_noise": one.torque_noise,
         "labels": one.labels,
         "times": one.times,
         "data": one.data,

@@ -84,6 +84,8 @@ class RecordFit:
             None if peaks were compared
         errors: standard errors of the fitted numbers, propagated from the fitted values, shape (n,); None if
             unknown
+        torque_noise: standard deviation of the noise of the torque that drives the FMU (N m), 0 if none is
+            seen
     """
 
     name: str
@@ -94,6 +96,7 @@ class RecordFit:
     sigma: dict[str, float]
     curve: pd.DataFrame | None = None
     errors: FloatArray | None = None
+    torque_noise: float = 0.0
 
     def residuals(self) -> FloatArray:
         """Data minus prediction, shape (n,)."""

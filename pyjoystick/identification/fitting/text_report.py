@@ -130,6 +130,9 @@ def _noise(fit: Fit) -> str:
         levels = ", ".join(f"{label} {sigma:.4g}" for label, sigma in one.sigma.items())
         texts.append(f"{one.name}: {levels}")
     text = f"Standard deviation of the noise ({kind}, {unit}): {'; '.join(texts)}."
+    torques = [f"{one.name}: {one.torque_noise:.2g} N m" for one in fit.records if one.torque_noise]
+    if torques:
+        text += f" Noise of the torque, which the intervals take into account: {'; '.join(torques)}."
     if fit.correlation:
         text += (
             f" Correlation from sample to sample {fit.correlation:.3f}; the intervals take it into account."

@@ -26,7 +26,7 @@ def require_within_stops(joystick: JoystickParameters, theta: ArrayLike) -> None
         raise ParameterError("theta", farthest, allowed)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class InverseTorque:
     """The driving torque about the pivot and its parts (N m), arrays of one shape; T is the sum of the parts.
 

@@ -23,7 +23,7 @@ _RELATIVE, _ABSOLUTE = 1e-9, 1e-12
 _MOST_ITERATIONS: Final = 50
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class Past:
     """Memory of the previous step: its length (s) and the signals at its start."""
 

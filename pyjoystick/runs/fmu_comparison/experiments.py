@@ -50,7 +50,7 @@ _DEFAULT_STEPS: Final = 500
 _MOST_STEPS: Final = 10_000_000
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Experiment:
     """An experiment for both FMUs.
 

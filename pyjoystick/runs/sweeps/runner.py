@@ -32,7 +32,7 @@ _CHUNK: Final = 2.0
 OnProgress = Callable[[int], None]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Outcome:
     """Progress or result of a sweep.
 

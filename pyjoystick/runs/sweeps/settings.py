@@ -42,7 +42,7 @@ from pyjoystick.support import (
 _TOLERANCES: Final = (1e-13, 1e-2)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Settings:
     """Contents of a settings file.
 

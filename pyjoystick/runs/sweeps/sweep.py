@@ -25,7 +25,7 @@ Document = dict[str, Any]
 ATTRIBUTE: Final = "sweep"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Part:
     """Some finished runs of a sweep.
 
@@ -42,7 +42,7 @@ class Part:
     messages: list[str]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Task:
     """Settings common to all runs of a sweep; see `Fmu.plan` and, for the time limit of a run (s), `Fmu`."""
 

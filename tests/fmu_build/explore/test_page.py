@@ -153,6 +153,44 @@ def test_what_the_model_refuses_is_said_at_its_control(live: Live) -> None:
     assert page.control("J").locator(".error").is_hidden()
 
 
+def test_a_refused_run_saves_no_file_of_the_run_before(live: Live) -> None:
+    page = live("Joystick")
+    with page.rerun():
+        page.type("J", "-1")
+    refused = page.alert()
+    saved = page.page.evaluate(
+        """() => {
+          let files = 0;
+          const { click } = HTMLAnchorElement.prototype;
+          HTMLAnchorElement.prototype.click = () => { files += 1; };
+          for (const one of document.querySelectorAll(".actions button")) {
+            if (["CSV", "PNG"].includes(one.textContent)) one.click();
+          }
+          HTMLAnchorElement.prototype.click = click;
+          return files;
+        }"""
+    )
+    assert saved == 0
+    assert page.alert() == f"Nothing was saved: what is shown is an earlier run. {refused}"
+    with page.rerun():
+        page.type("J", "0.02")
+    assert page.alert() == ""
+    assert len(page.csv()) > 1
+
+
+def test_a_long_run_does_not_stand_under_the_message_of_the_one_before(live: Live) -> None:
+    page = live("Models.Chain")
+    with page.rerun():
+        page.page.evaluate("location.hash = '#k=-1'")
+    assert "k" in page.alert()
+    with page.rerun():  # some 1e8 oscillations in an hour
+        page.page.evaluate("location.hash = '#F=1&k=1e9&:stop=3600&:step=1'")
+        said = "The model is computing. What is shown is an earlier run."
+        expect(page.page.locator("#alert")).to_have_text(said, timeout=3000)
+        expect(page.control("k").locator(".error")).to_be_hidden()
+    assert page.alert() == "The run stopped (fatal). The run did not end within 5 s and was stopped."
+
+
 def test_a_run_that_breaks_off_shows_its_rows_and_the_message(live: Live) -> None:
     page = live("Models.Chain")
     with page.rerun():

@@ -41,12 +41,15 @@ CASES = [
     ("peaks", "peaks RECORD"),
     ("fit", "fit RECORD"),
     ("fit", "fit RECORD --settings LAB/fit.toml"),
+    ("fit", "fit DRIVEN --driven"),
     ("design", "design --angle 5deg --angle 20deg --records 1 --check 2"),
     ("budget", "budget RECORD -p LAB/joystick.toml --uncertainty m=0.001"),
     ("free-oscillation", "free-oscillation"),
     ("free-oscillation", "free-oscillation --release-angle -45 --trusted"),
     ("torque", "torque"),
     ("torque", "torque RECORD --damping constant"),
+    ("response", "response --torque 0.6 --frequency 4"),  # chaotic
+    ("response", "response --torque 0.6 --frequency 4 --set stops.theta_stop=20deg"),
     ("response", "response --torque 12 --frequency 6 --vary torque 11.99 12"),
     ("vibration", "vibration --angle 0 --hand-mass 0.3 --acceleration 1"),
     ("compare", "compare -d 0.1"),
@@ -97,6 +100,7 @@ def test_documents_satisfy_the_schema(
 ) -> None:
     """And say everything that was printed on standard error but for what was written."""
     line = line.replace("RECORD", RECORDS[0]).replace("DATA", str(lab / "data")).replace("LAB", str(lab))
+    line = line.replace("DRIVEN", RECORDS[0].replace("constant_1", "driven_1"))
     outcome = command(*line.split(), "--json", "document.json")
     assert outcome.code in (0, 3), outcome.err
     found = _read((tmp_path / "document.json").read_text(encoding="utf-8"))

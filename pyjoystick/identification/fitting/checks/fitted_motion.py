@@ -76,6 +76,10 @@ class FittedMotion:
         size = _MOMENT / max(float(np.max(np.abs(shape))), 1e-300)
         return self._changed(added=("T", size * shape)) / size
 
+    def curvature(self, moment: FloatArray) -> FloatArray:
+        """Mean change of the record by a moment of shape (m,) and by its opposite, shape (n,)."""
+        return 0.5 * (self._changed(added=("T", moment)) + self._changed(added=("T", -moment)))
+
     def with_parameter(self, name: str, change: float) -> FloatArray:
         """Derivative of the record by an FMU parameter, from a difference of this size; shape (n,)."""
         return self._changed(moved=(name, change)) / change

@@ -8,6 +8,7 @@ import numpy as np
 
 from pyjoystick.identification.fitting.checks.residual_checks import CHANCE, whiteness
 from pyjoystick.identification.fitting.checks.residual_view import ResidualView
+from pyjoystick.identification.fitting.checks.torque_noise import with_torque_noise
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.noise_model import NoiseModel, relative_sizes, weights_of
 from pyjoystick.identification.fitting.problem.settings import FitSettings
@@ -35,6 +36,8 @@ def with_noise_of(problem: Problem, x: FloatArray, settings: FitSettings, least:
         before = problem.noise
         if noise.robust:
             problem = _without_outliers(problem, x)
+        if noise.colored:
+            problem = with_torque_noise(problem, x, sigma_known=bool(noise.sigma))
         # Estimate the color only after the outliers have settled, because they distort it.
         if noise.colored and _change_of_shares(before, problem.noise) < _SHAPE_CHANGE:
             problem = _colored(problem, x)
@@ -53,6 +56,7 @@ def has_settled(before: Problem, after: Problem, settings: FitSettings) -> bool:
         bool(np.allclose(ratios, factor, rtol=_LEVEL_CHANGE, atol=0.0))
         and _change_of_shares(before.noise, after.noise) < _SHAPE_CHANGE
         and abs(after.noise.correlation - before.noise.correlation) < _SHAPE_CHANGE
+        and abs(after.noise.torque_part - before.noise.torque_part) < _SHAPE_CHANGE
     )
 
 
@@ -73,9 +77,8 @@ def estimated_sigmas(
     sums: dict[tuple[int, str], list[float]] = {}
     for k, predicted in enumerate(problem.predictions(x)):
         predictor, shares = problem.predictors[k], problem.noise.shares[k]
-        scaled = problem.noise.memories[k].innovations(
-            shares * (predicted - predictor.data) / relative_sizes(predictor)
-        )
+        scaled = problem.noise.counted(predicted - predictor.data, k)
+        scaled = scaled / (problem.noise.weights[k] * relative_sizes(predictor))
         labels = np.array(predictor.labels)
         for label in dict.fromkeys(predictor.labels):
             group = sums.setdefault((k if per_record else -1, "" if combined else label), [0.0, 0.0])

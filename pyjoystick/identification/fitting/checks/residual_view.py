@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -37,9 +38,10 @@ class ResidualView:
         self.jacobian = np.concatenate([*counted, known])
 
     def outliers(self) -> Outliers:
-        """Outliers, found without regard to the present weights."""
-        weights = self._problem.noise.weights
-        return find_outliers([one * weight for one, weight in zip(self._left, weights, strict=True)])
+        """Outliers, found without regard to the present shares."""
+        noise = self._problem.noise
+        full = replace(noise, shares=tuple(np.ones_like(one) for one in noise.shares))
+        return find_outliers([full.scaled(one, k) for k, one in enumerate(self._left)])
 
     def series(self) -> list[Series]:
         """Innovations of each series of each record."""

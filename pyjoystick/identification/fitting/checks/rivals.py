@@ -26,6 +26,9 @@ from pyjoystick.support import FloatArray, ParameterError
 _FRICTION: Final = "friction."
 _EVALUATIONS: Final = 40
 _ANGLE: Final = "theta"
+#: A rival whose parameters are not within this factor of the fit's is none: no instrument error or small
+#: missing effect moves them that far, and far away a run may take a thousand times as long.
+_NEAR: Final = 10.0
 #: Parameters that change sign with the angle.
 _TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
 
@@ -100,7 +103,7 @@ def _refitted(
     try:
         wider = replace(
             settings,
-            free=(*settings.free, *suspect.free),
+            free=(*_near(settings.free, problem, x), *suspect.free),
             fixed={name: value for name, value in settings.fixed.items() if name not in _names(suspect)},
         )
         rival = make(wider, with_friction if needs_friction else None)
@@ -130,13 +133,37 @@ def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make
     if settings.outputs[0] != _ANGLE:
         return None
     try:
-        rival = make(_turned(settings), None, mirrored=True)
+        near = replace(settings, free=_near(settings.free, problem, x))
+        rival = make(_turned(near), None, mirrored=True)
     except (FitError, ParameterError):
         return None
     start = [-v if one.name in _TURNED else v for one, v in zip(rival.variables.free, x, strict=True)]
     part = _better(rival, np.array(start), problem, settings, x)[1]
     evidence = problem.size * -math.log1p(-part)
     return Finding("the other sign of the angle", "", part, evidence, 0.0) if part > 0.0 else None
+
+
+def _near(free: Sequence[Free], problem: Problem, x: FloatArray) -> tuple[Free, ...]:
+    """Free parameters with bounds near the fit for those of the FMU that all records share.
+
+    A parameter below or at zero keeps its bounds, as does the lower one of a parameter that may vanish.
+    """
+    values = {
+        one.name: (one, float(value))
+        for one, value in zip(problem.variables.free, x, strict=True)
+        if one.record is None and not one.of_instrument and value > 0.0 and one.minimum >= 0.0
+    }
+    found = []
+    for one in free:
+        if one.name in values:
+            variable, value = values[one.name]
+            low = max(variable.minimum, value / _NEAR) if variable.minimum > 0.0 else variable.minimum
+            high = min(variable.maximum, value * _NEAR)
+            # A measured start stays, which is not only where the search begins.
+            start = value if one.uncertainty is None else one.start
+            one = replace(one, start=start, minimum=low, maximum=high)
+        found.append(one)
+    return tuple(found)
 
 
 def _turned(settings: FitSettings) -> FitSettings:

@@ -17,7 +17,7 @@ from pyjoystick.support import FloatArray
 LEVELS: Final = (0.9, 0.75, 0.6)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Suspect:
     """Something that the model may lack.
 

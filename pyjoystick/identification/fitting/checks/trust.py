@@ -64,9 +64,9 @@ def check_convergence(minimum: Minimum) -> Check:
 def check_bounds(variables: Variables, x: FloatArray) -> Check:
     """Check whether a variable ended at one of its bounds."""
     at = [
-        f"{one.label} = {one.minimum if value - one.minimum <= one.maximum - value else one.maximum:.6g}"
+        f"{one.label} = {one.lowest if value - one.lowest <= one.highest - value else one.highest:.6g}"
         for one, value in zip(variables.free, x, strict=True)
-        if min(value - one.minimum, one.maximum - value) <= _AT_BOUND * one.scale
+        if min(value - one.lowest, one.highest - value) <= _AT_BOUND * one.scale
     ]
     message = (
         f"at a bound: {', '.join(at)}; widen it, or fit without the parameter"

@@ -16,7 +16,7 @@ FIRST_STEP: Final = 1e-4
 LADDER: FloatArray = 10.0**-6.5 * RATIO ** np.arange(10)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class StepChoice:
     """Chosen difference steps and their errors.
 
@@ -73,7 +73,7 @@ def _of_variable(
 ) -> tuple[float, float, float]:
     """Best step, relative error of the derivative at that step, and scatter of the values."""
     one = model.variables.free[variable]
-    below, above = x[variable] - one.minimum, one.maximum - x[variable]
+    below, above = x[variable] - one.lowest, one.highest - x[variable]
     ladder = [float(step) * one.scale for step in LADDER]
     moves = [move for step in ladder for move in (-step, step) if -below <= move <= above]
     values = model.moved(x, variable, moves, record)

@@ -138,7 +138,7 @@ class ForwardModel:
     def _moves(self, x: FloatArray, variable: int, steps: FloatArray, *, central: bool) -> tuple[float, ...]:
         """Changes of a variable for its derivative, within its bounds."""
         one = self.variables.free[variable]
-        below, above = x[variable] - one.minimum, one.maximum - x[variable]
+        below, above = x[variable] - one.lowest, one.highest - x[variable]
         step = min(float(steps[variable]) * one.scale, max(below, above) / RATIO)
         inward = step if step <= above else -step
         if not central:

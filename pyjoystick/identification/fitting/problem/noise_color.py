@@ -85,12 +85,34 @@ def estimated_correlation(blocks: Sequence[Block]) -> float:
             rows.append(memory.innovations(one.jacobian / scale))
             count += float(np.sum(own))
             logs += float(np.sum(own * np.log1p(-(memory.previous**2))))
-        left, values = _left_over(np.concatenate(residuals), np.concatenate(rows))
-        freedom = max(count - len(values), 1.0)
-        return freedom * math.log(max(left, 1e-300) / freedom) + logs + 2.0 * float(np.sum(np.log(values)))
+        return restricted_likelihood(residuals, rows, count, logs, sigma_known=False)[0]
 
     found = minimize_scalar(cost, bounds=_RANGE, method="bounded", options={"xatol": 1e-5})
     return float(found.x)
+
+
+def restricted_likelihood(
+    residuals: Sequence[FloatArray],
+    rows: Sequence[FloatArray],
+    samples: float,
+    logarithm: float,
+    *,
+    sigma_known: bool,
+) -> tuple[float, float]:
+    """Minus twice the logarithm of the restricted likelihood, up to a constant, and the noise's level.
+
+    Args:
+        residuals: whitened residuals by record, shape (n,) each
+        rows: their derivatives with respect to the variables, shape (n, variables) each
+        samples: number of independent samples
+        logarithm: logarithm of the determinant of the covariance that was removed by whitening
+        sigma_known: whether the level is 1 rather than the one for which the likelihood is largest
+    """
+    left, values = _left_over(np.concatenate(residuals), np.concatenate(rows))
+    freedom = max(samples - len(values), 1.0)
+    level = 1.0 if sigma_known else max(left, 1e-300) / freedom
+    cost = left / level + freedom * math.log(level) + logarithm + 2.0 * float(np.sum(np.log(values)))
+    return cost, math.sqrt(level)
 
 
 def _left_over(residuals: FloatArray, jacobian: FloatArray) -> tuple[float, FloatArray]:

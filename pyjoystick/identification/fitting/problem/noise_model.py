@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from pyjoystick.identification.fitting.problem.noise_color import Memory
 from pyjoystick.identification.fitting.problem.peak_prediction import PeakPredictor
 from pyjoystick.identification.fitting.problem.predictor import Predictor
 from pyjoystick.identification.fitting.problem.settings import Noise
+from pyjoystick.identification.fitting.problem.torque_noise import TorqueNoise, Whitener
 from pyjoystick.support import FloatArray
 
 #: Assumed noise relative to the largest value, before there is an estimate.
@@ -26,12 +27,26 @@ class NoiseModel:
         shares: further weights of residuals, by record: 1, or less for outliers
         memories: correlation structure of the noise, by record
         correlation: correlation from sample to sample in `memories`
+        torques: largest noise of the measured torque, by record; empty if none is allowed for
+        torque_part: part of it that the residuals show
+        whiteners: filters for it, by record, computed from the other attributes; empty if the part is zero
     """
 
     weights: tuple[FloatArray, ...]
     shares: tuple[FloatArray, ...]
     memories: tuple[Memory, ...]
     correlation: float = 0.0
+    torques: tuple[TorqueNoise, ...] = ()
+    torque_part: float = 0.0
+    whiteners: tuple[Whitener, ...] = field(init=False, default=())
+
+    def __post_init__(self) -> None:
+        if self.torque_part > 0.0:
+            whiteners = tuple(
+                Whitener(self.torque_part * self.weighted(one.effects, k))
+                for k, one in enumerate(self.torques)
+            )
+            object.__setattr__(self, "whiteners", whiteners)
 
     @classmethod
     def white(cls, weights: Sequence[FloatArray]) -> NoiseModel:
@@ -48,7 +63,26 @@ class NoiseModel:
         return replace(self, memories=memories, correlation=correlation)
 
     def scaled(self, values: FloatArray, record: int) -> FloatArray:
-        """Multiply values of one record in the unit of the data, shape (n, ...), by weights and shares."""
+        """Weighted values of one record, shape (n, ...), in which the noise of the torque is white.
+
+        Without any noise of the torque, these are the values times weights and shares.
+        """
+        weighted = self.weighted(values, record)
+        return self.whiteners[record].whitened(weighted) if self.whiteners else weighted
+
+    def torque_level(self, record: int) -> float:
+        """Standard deviation of the noise of the torque measured in one record (N m), 0 if there is none."""
+        return self.torque_part * self.torques[record].level if self.torques else 0.0
+
+    def drawn(self, innovations: FloatArray, record: int) -> FloatArray:
+        """Noise of one record in the unit of the data that has these innovations, shape (n,)."""
+        found = self.memories[record].noise(innovations)
+        if self.whiteners:
+            found = self.whiteners[record].colored(found)
+        return np.asarray(found / self.weights[record])
+
+    def weighted(self, values: FloatArray, record: int) -> FloatArray:
+        """Values of one record in the unit of the data, shape (n, ...), times weights and shares."""
         weights = self.weights[record] * self.shares[record]
         return values * weights.reshape(-1, *(1,) * (values.ndim - 1))
 

@@ -28,6 +28,9 @@ _ANGLE_RANGE = (0.7, 1.6)
 #: Range of the zero relative to the largest measured value; range of relative values and of times (s).
 _ZERO_RANGE = 0.25
 _INSTRUMENT_RANGE = 0.2
+#: Where the settings leave out a bound, a parameter of the FMU is sought within this factor of its start.
+#: Without a limit, a search may try an inertia of a millionth, with which a single run takes half a minute.
+_REACH = 1e3
 #: A value below this part of its scale counts as possibly zero.
 _ROUNDING = 1e-6
 
@@ -43,6 +46,7 @@ class Variable:
         unit: its unit, empty for a pure number
         start, minimum, maximum: start of the search and bounds, which may be infinite
         uncertainty: standard uncertainty of the start, if that was measured; else None
+        reach: the range that a search keeps to where neither settings nor data bound the variable
     """
 
     name: str
@@ -53,6 +57,17 @@ class Variable:
     minimum: float
     maximum: float
     uncertainty: float | None = None
+    reach: tuple[float, float] = (-math.inf, math.inf)
+
+    @property
+    def lowest(self) -> float:
+        """The lower limit of a search."""
+        return max(self.minimum, self.reach[0])
+
+    @property
+    def highest(self) -> float:
+        """The upper limit of a search."""
+        return min(self.maximum, self.reach[1])
 
     @property
     def scale(self) -> float:
@@ -139,13 +154,13 @@ class Variables:
 
     @property
     def lower(self) -> FloatArray:
-        """Lower bounds, shape (variables,)."""
-        return np.array([variable.minimum for variable in self.free])
+        """Lower limits of a search, shape (variables,)."""
+        return np.array([variable.lowest for variable in self.free])
 
     @property
     def upper(self) -> FloatArray:
-        """Upper bounds, shape (variables,)."""
-        return np.array([variable.maximum for variable in self.free])
+        """Upper limits of a search, shape (variables,)."""
+        return np.array([variable.highest for variable in self.free])
 
     @property
     def origins(self) -> FloatArray:
@@ -236,7 +251,19 @@ def _variable(
     start = start if one.start is None else one.start
     if not low < high or not low <= start <= high:
         raise ParameterError(f"{one.name}.start", start, f"within the bounds, {low:g} to {high:g}")
-    return Variable(one.name, record, label, unit, start, low, high, one.uncertainty)
+    reach = _reach(one, start, low) if one.name in description.variables else (-math.inf, math.inf)
+    return Variable(one.name, record, label, unit, start, low, high, one.uncertainty, reach)
+
+
+def _reach(one: Free, start: float, low: float) -> tuple[float, float]:
+    """Range about the start of a parameter of the FMU where the settings leave out a bound.
+
+    Downwards only for one that cannot be zero: damping or friction may well vanish.
+    """
+    if start <= 0.0 or low < 0.0:
+        return -math.inf, math.inf
+    least = start / _REACH if low > 0.0 and one.minimum is None else -math.inf
+    return least, start * _REACH if one.maximum is None else math.inf
 
 
 def _release_time(one: Free, guess: Release | None) -> tuple[float, float, float, str]:

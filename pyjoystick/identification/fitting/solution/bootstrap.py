@@ -100,12 +100,12 @@ def _drawn_anew(
     random: np.random.Generator, problem: Problem, record: int, predicted: FloatArray
 ) -> FloatArray:
     """Data of a record with noise resampled from the innovations of its residuals, without outliers."""
-    memory, weights = problem.noise.memories[record], problem.noise.weights[record]
-    innovations = memory.innovations((problem.data[record] - predicted) * weights)
+    noise = replace(problem.noise, shares=tuple(np.ones_like(one) for one in problem.noise.shares))
+    innovations = noise.counted(problem.data[record] - predicted, record)
     full = problem.noise.shares[record] == 1.0
     labels = np.array(problem.predictors[record].labels)
     drawn = np.empty_like(innovations)
     for label in dict.fromkeys(problem.predictors[record].labels):
         own = innovations[full & (labels == label)]
         drawn[labels == label] = random.choice(own - np.mean(own), size=np.count_nonzero(labels == label))
-    return np.asarray(predicted + memory.noise(drawn) / weights)
+    return np.asarray(predicted + noise.drawn(drawn, record))

@@ -69,7 +69,7 @@ def profile(problem: Problem, x: FloatArray, cost: float, variable: int, errors:
     values, distances = [float(x[variable])], [0.0]
     ends, bounded = [], []
     lower, converged = 0.0, True
-    for sign, bound in ((-1.0, one.minimum), (1.0, one.maximum)):
+    for sign, bound in ((-1.0, one.lowest), (1.0, one.highest)):
         points, least, settled = _side(problem, x, cost, variable, sign, first, bound, quantile, slope)
         values += [value for value, _ in points]
         distances += [distance for _, distance in points]

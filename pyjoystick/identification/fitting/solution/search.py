@@ -163,7 +163,7 @@ def _begins(times: FloatArray, release: float, stage: float) -> NDArray[np.bool_
     return times <= release + stage * (np.max(times) - release)
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, eq=False)
 class _Best:
     """The best point so far; without it, a search that is cut short would end at its last trial."""
 

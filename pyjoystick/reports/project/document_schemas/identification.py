@@ -66,6 +66,7 @@ _FITTED: Final = rows(
 _RECORD: Final = rows(
     name=TEXT,
     noise=about(mapping(NUMBER), "standard deviation by output"),
+    torque_noise=si("N.m", "standard deviation of the noise of the torque that drives the FMU; 0: none seen"),
     labels=about(TEXTS, "the output of each sample; in a fit of peaks, the peak"),
     times=NUMBERS,
     data=NUMBERS,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -126,3 +127,17 @@ def test_the_limit_of_no_amplitude_is_reached_from_above() -> None:
     periods = [undamped_oscillation(NOMINAL, release).period for release in releases]
     assert periods == sorted(periods)
     assert periods[-1] > 1.0
+
+
+def test_the_powers_of_the_page() -> None:
+    """docs/period.md: the local slope of ln(period) over ln(release angle), to the last digit."""
+    page = Path(__file__).parents[4] / "docs" / "period.md"
+    rows = re.findall(r"^\| (-[\d.]+) \|.*\| (-?[\d.]+) \|$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    assert len(rows) == 7
+    for angle, power in rows:
+        change = 1e-4
+        ends = [
+            undamped_oscillation(NOMINAL, math.radians(float(angle) * math.exp(one))).period
+            for one in (-change, change)
+        ]
+        assert math.log(ends[1] / ends[0]) / (2.0 * change) == pytest.approx(float(power), abs=0.0051)
