@@ -23,6 +23,7 @@ _DEEPEST: Final = 50
 class Given:
     """What a name is given, and where: `scope` is the path of the component in which its value is evaluated.
 
+    `type` is that of a redeclaration in the class `around`, else empty.
     Of an array for the elements of an array of components, `place` selects those of this component.
     """
 
@@ -31,6 +32,8 @@ class Given:
     inner: Mapping[str, Given] = field(default_factory=dict)
     each: bool = False
     final: bool = False
+    type: str = ""
+    around: Class | None = None
     redeclares: bool = False
     place: tuple[int, ...] = ()
 
@@ -120,29 +123,35 @@ class Instances:
         """Yield the components of a class, inherited ones first, with where they are declared."""
         if not owner.is_certain:
             raise UnknownError
+        redeclared = {one.name for one in owner.components if "redeclare" in one.prefixes}
         for name, modifier in owner.bases:
             base = self._library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = _inner(modifier, path)
+            inner = _inner(modifier, path, owner)
             inherited = list(self._components(path, base, self._merged(path, given, inner)))
             self._check_names(path, base, inner, {component.name for component, _, _ in inherited})
-            yield from inherited
+            yield from (member for member in inherited if member[0].name not in redeclared)
         for component in owner.components:
             outer = given.get(component.name)
-            own = _given(component.modifier, path)
+            own = _given(component.modifier, path, owner)
             yield component, owner, self._both(_joined(path, component.name), outer, own)
 
     def _component(self, path: str, component: Component, around: Class, given: Given, depth: int) -> None:
         if given.redeclares or component.is_conditional or component.prefixes & {"outer", "redeclare"}:
             return
-        kind = self._library.meaning(component.type, around)
+        if given.type and given.around is not None and not component.is_constrained:
+            kind = self._library.meaning(given.type, given.around)
+        elif given.type:
+            return
+        else:
+            kind = self._library.meaning(component.type, around)
         name = _joined(path, component.name)
         dimensions, attributes = component.dimensions, _NOTHING
         is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
         while not is_leaf and kind.is_short:
             base, modifier = kind.bases[0]
-            attributes = self._both(name, attributes, _given(modifier, path))
+            attributes = self._both(name, attributes, _given(modifier, path, kind))
             dimensions += kind.dimensions
             kind = self._library.base(kind, base)
             is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
@@ -186,6 +195,8 @@ class Instances:
             first,
             inner=self._merged(path, outer.inner, inner.inner),
             final=outer.final or inner.final,
+            type=outer.type or inner.type,
+            around=outer.around if outer.type else inner.around,
             redeclares=outer.redeclares or inner.redeclares or is_unclear,
         )
 
@@ -225,14 +236,22 @@ def _joined(path: str, name: str) -> str:
     return f"{path}.{name}" if path else name
 
 
-def _given(modifier: Modifier, scope: str) -> Given:
+def _given(modifier: Modifier, scope: str, around: Class) -> Given:
+    """Return what a modifier gives that is written in a class, for a component of it at the path `scope`."""
     return Given(
-        modifier.value, scope, _inner(modifier, scope), modifier.each, modifier.final, modifier.redeclares
+        value=modifier.value,
+        scope=scope,
+        inner=_inner(modifier, scope, around),
+        each=modifier.each,
+        final=modifier.final,
+        type=modifier.type,
+        around=around,
+        redeclares=modifier.redeclares,
     )
 
 
-def _inner(modifier: Modifier, scope: str) -> dict[str, Given]:
-    return {name: _given(one, scope) for name, one in modifier.inner.items()}
+def _inner(modifier: Modifier, scope: str, around: Class) -> dict[str, Given]:
+    return {name: _given(one, scope, around) for name, one in modifier.inner.items()}
 
 
 def _element(given: Given, places: tuple[int, ...]) -> Given:

@@ -45,12 +45,13 @@ Tokens = tuple[str, ...]
 
 @dataclass(frozen=True, slots=True)
 class Modifier:
-    """What a name is given: a value, values of what is in it, or an unknown redeclaration."""
+    """What a name is given: a value, values of what is in it, another type, or an unknown redeclaration."""
 
     value: Tokens = ()
     inner: Mapping[str, Modifier] = field(default_factory=dict)
     each: bool = False
     final: bool = False
+    type: str = ""
     redeclares: bool = False
 
 
@@ -64,6 +65,7 @@ class Component:
     prefixes: frozenset[str]
     modifier: Modifier
     is_conditional: bool = False
+    is_constrained: bool = False
 
 
 @dataclass(slots=True)
@@ -260,9 +262,12 @@ class _Parser:
             value = self._expression() if self.take_if("=") or self.take_if(":=") else ()
             is_conditional = self.here == "if"
             modifier = Modifier(value, inner, final="final" in prefixes)
-            owner.components.append(Component(name, kind, own + common, prefixes, modifier, is_conditional))
+            is_constrained = False
             while self.here not in (",", ";"):
-                self._balanced()
+                is_constrained |= self._balanced() == ("constrainedby",)
+            owner.components.append(
+                Component(name, kind, own + common, prefixes, modifier, is_conditional, is_constrained)
+            )
             if not self.take_if(","):
                 return
 
@@ -282,7 +287,8 @@ class _Parser:
         while not self.take_if(")"):
             prefixes = self.take_all(frozenset(("each", "final")))
             if self.here in ("redeclare", "replaceable"):
-                found[self._redeclared()] = Modifier(redeclares=True)
+                name, redeclared = self._redeclared()
+                found[name] = redeclared
             else:
                 name = self.name()
                 inner = self._arguments() if self.here == "(" else {}
@@ -293,16 +299,19 @@ class _Parser:
             self.take_if(",")
         return found
 
-    def _redeclared(self) -> str:
-        """Skip a redeclaration up to the comma behind it; return the name of what it redeclares."""
+    def _redeclared(self) -> tuple[str, Modifier]:
+        """The name of what is redeclared, and as what; nothing is known of redeclared classes and arrays."""
         self.take_all(_PREFIXES | _CLASS_PREFIXES | {"each"})
-        is_class = self.here in _KINDS
-        if is_class:
+        if self.here in _KINDS:
             self.take()
-        else:
-            self.name()
-            self._subscripts()
-        return self.take()
+            return self.take(), Modifier(redeclares=True)
+        kind = self.name()
+        common = self._subscripts()
+        name = self.take()
+        is_unknown = bool(common or self._subscripts())
+        inner = self._arguments() if self.here == "(" else {}
+        value = self._expression() if self.take_if("=") else ()
+        return name, Modifier(value, inner, type=kind, redeclares=is_unknown)
 
     def _expression(self) -> Tokens:
         """Tokens up to a comma, a closing bracket, a semicolon, or a condition or annotation behind it."""

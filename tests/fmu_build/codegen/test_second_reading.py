@@ -94,12 +94,28 @@ def test_each() -> None:
     }
 
 
+def test_redeclared_components() -> None:
+    """The type stands in the scope of the redeclaration; what the declaration gives is kept."""
+    assert _values("""
+        package Q
+          model A parameter Real k = 1; end A;
+          model C replaceable A a(k = 4); end C;
+          model D extends C; redeclare B a(k = 3); model B extends A; end B; A c; end D;
+        end Q;
+        model M
+          model A extends Q.A(k = 6); parameter Real z = k; end A;
+          Q.C c(redeclare A a(z = 8));
+          Q.C e(redeclare A a);
+          Q.D d;
+        end M;""") == {"c.a.k": 4.0, "c.a.z": 8.0, "e.a.k": 4.0, "e.a.z": 4.0, "d.c.k": 1.0}
+
+
 def test_what_may_be_redeclared_is_left_out() -> None:
     found = _instances("""
         model M
           model A parameter Real k = 1; end A;
           model B = A(k = 2);
-          model C replaceable A a; replaceable model D = A; D d; A e; end C;
+          model C replaceable A a constrainedby A; replaceable model D = A; D d; A e; end C;
           C c(redeclare B a);
           outer C o;
         end M;""")
@@ -119,6 +135,11 @@ _LOST = {
         "Real T(start=290,fixed=true); equation der(T)=0; end Room; model House Room r(wall(T(start=300))); "
         "Real T(start=250,fixed=true); equation der(T)=0; end House; House h(T(start=280));",
         "the start value is 280 instead of 290: the compiler has lost or misplaced a modifier of h.r.T",
+    ),
+    "the same, redeclared": (
+        "model A parameter Real p=17; Real w(start=2,fixed=true); equation der(w)=0; end A; "
+        "model C extends A; end C; model B extends A(p=1); replaceable A a(w(start=10*p)); end B; B b(redeclare C a);",
+        "the start value is 170 instead of 10: the compiler has lost or misplaced a modifier of b.a.w",
     ),
     "an expression in a class that extends that of the component": (
         "model A parameter Real p=17; Real w(start=2,fixed=true); equation der(w)=0; end A; "
