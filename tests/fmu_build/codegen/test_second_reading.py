@@ -138,7 +138,8 @@ _LOST = {
     ),
     "the same, redeclared": (
         "model A parameter Real p=17; Real w(start=2,fixed=true); equation der(w)=0; end A; "
-        "model C extends A; end C; model B extends A(p=1); replaceable A a(w(start=10*p)); end B; B b(redeclare C a);",
+        "model C extends A; end C; model B extends A(p=1); replaceable A a(w(start=10*p)); end B; "
+        "B b(redeclare C a);",
         "the start value is 170 instead of 10: the compiler has lost or misplaced a modifier of b.a.w",
     ),
     "an expression in a class that extends that of the component": (
