@@ -102,7 +102,7 @@ def decaying_heights(first: float, damping_ratio: float, friction_angle: float, 
     return found
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Fit:
     """First height, damping ratio and friction angle with standard errors, infinite if undetermined; BIC."""
 

@@ -26,7 +26,7 @@ _POINTS: Final = 201
 _STEPS: Final = 6
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Turns:
     """Turns of n whole half swings and the crossings of the middle between them.
 
@@ -84,7 +84,7 @@ def whole_swings(record: Record, theta: FloatArray) -> list[Swing]:
     return swings
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Curve:
     """A polynomial through samples: sum of squares, degrees of freedom, covariance for noise of 1."""
 
