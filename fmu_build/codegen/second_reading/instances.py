@@ -6,6 +6,7 @@ What a redeclaration, a condition, an outer component or an unknown size may cha
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Mapping, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,7 @@ from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
 
 _MOST_ELEMENTS: Final = 1000
+_MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
 
 
@@ -48,6 +50,23 @@ class Leaf:
     """Whether it is a parameter or a constant."""
     has_zero_start: bool
     """Whether its start value is zero unless it is given another one."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Member:
+    """A component of a class, with what it is given.
+
+    Attributes:
+        component: its declaration
+        around: the class in which this stands
+        given: what it is given
+        around_given: what this class and its bases are given
+    """
+
+    component: Component
+    around: Class
+    given: Given
+    around_given: Mapping[str, Given]
 
 
 class Instances:
@@ -99,78 +118,91 @@ class Instances:
 
     def _expand(self, path: str, owner: Class, given: Mapping[str, Given], depth: int) -> None:
         """Find the variables in a component of a class."""
-        members: list[tuple[Component, Class, Given]] = []
+        members: list[_Member] = []
         is_known = depth < _DEEPEST
         try:
             members += self._components(path, owner, given)
         except UnknownError:
             is_known = False
-        names = {component.name for component, _, _ in members}
-        outer = {component.name for component, _, _ in members if "outer" in component.prefixes}
+        names = {one.component.name for one in members}
+        outer = {one.component.name for one in members if "outer" in one.component.prefixes}
         self._members[path] = names - outer if is_known else set()
         if not is_known:
             return
         self._check_names(path, owner, given, names)
         self._check_repeated(path, members)
         # The sizes of arrays depend on variables without one.
-        for component, around, own in sorted(members, key=lambda member: bool(member[0].dimensions)):
+        for member in sorted(members, key=lambda one: bool(one.component.dimensions)):
             with suppress(UnknownError):
-                self._component(path, component, around, own, depth)
+                self._component(path, member, depth)
 
-    def _components(
-        self, path: str, owner: Class, given: Mapping[str, Given]
-    ) -> Iterator[tuple[Component, Class, Given]]:
-        """Yield the components of a class, inherited ones first, with where they are declared."""
+    def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[_Member]:
+        """Yield the components of a class, inherited ones first."""
         if not owner.is_certain:
             raise UnknownError
         redeclared = {one.name for one in owner.components if "redeclare" in one.prefixes}
+        all_given = given
         for name, modifier in owner.bases:
             base = self._library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
             inner = _inner(modifier, path, owner)
+            all_given = self._merged(path, all_given, inner)
             inherited = list(self._components(path, base, self._merged(path, given, inner)))
-            self._check_names(path, base, inner, {component.name for component, _, _ in inherited})
-            yield from (member for member in inherited if member[0].name not in redeclared)
+            self._check_names(path, base, inner, {one.component.name for one in inherited})
+            yield from (one for one in inherited if one.component.name not in redeclared)
         for component in owner.components:
-            outer = given.get(component.name)
             own = _given(component.modifier, path, owner)
-            yield component, owner, self._both(_joined(path, component.name), outer, own)
+            whole = self._both(_joined(path, component.name), given.get(component.name), own)
+            yield _Member(component, owner, whole, all_given)
 
-    def _component(self, path: str, component: Component, around: Class, given: Given, depth: int) -> None:
+    def _component(self, path: str, member: _Member, depth: int) -> None:
+        """Add the variables in a component, or the variable that it is."""
+        component, given = member.component, member.given
         if given.redeclares or component.is_conditional or component.prefixes & {"outer", "redeclare"}:
             return
-        if given.type and given.around is not None and not component.is_constrained:
-            kind = self._library.meaning(given.type, given.around)
-        elif given.type:
-            return
-        else:
-            kind = self._library.meaning(component.type, around)
         name = _joined(path, component.name)
-        dimensions, attributes = component.dimensions, _NOTHING
-        is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
-        while not is_leaf and kind.is_short:
+        kind, attributes = self._kind(member)
+        dimensions = component.dimensions
+        while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
             attributes = self._both(name, attributes, _given(modifier, path, kind))
             dimensions += kind.dimensions
             kind = self._library.base(kind, base)
-            is_leaf = kind in PREDEFINED.values() or kind.is_enumeration
         sizes = tuple(self._size(tokens, path) for tokens in dimensions)
         whole = self._both(name, given, attributes)
-        if is_leaf:
-            is_constant = bool(component.prefixes & {"parameter", "constant"})
-            has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
-            if "constant" in component.prefixes and not (whole.value or has_text):
-                self.mistakes.append((f"the constant {name} has no value", component.name))
-            self._check_attributes(name, whole)
-            self.leaves[name] = Leaf(whole, sizes, is_constant, not kind.is_enumeration)
+        if kind in PREDEFINED.values() or kind.is_enumeration:
+            self._add_leaf(name, component, kind, Leaf(whole, sizes, *_nature(component, kind)))
         elif not given.value and "expandable" not in kind.prefixes:
-            if len(self.leaves) > _MOST_ELEMENTS * max(1, len(sizes)) * 20:
+            if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
                 raise UnknownError
             for places in itertools.product(*map(range, sizes)):
                 subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
                 inner = {key: _element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, depth + 1)
+
+    def _kind(self, member: _Member) -> tuple[Class, Given]:
+        """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""
+        component, given = member.component, member.given
+        if given.type:
+            if given.around is None or component.is_constrained:
+                raise UnknownError
+            return self._library.meaning(given.type, given.around), _NOTHING
+        other = member.around_given.get(component.type)
+        if other is not None:
+            if not other.type or other.around is None:
+                raise UnknownError
+            return self._library.meaning(other.type, other.around), Given(inner=other.inner)
+        own = self._library.own(member.around, component.type)
+        return own or self._library.meaning(component.type, member.around), _NOTHING
+
+    def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
+        has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
+        if "constant" in component.prefixes and not (leaf.given.value or has_text):
+            self.mistakes.append((f"the constant {name} has no value", component.name))
+        for attribute in leaf.given.inner.keys() - _ATTRIBUTES:
+            self.mistakes.append((f"{name} has no attribute {attribute}", attribute))
+        self.leaves[name] = leaf
 
     def _size(self, tokens: Tokens, path: str) -> int:
         size = value_of(tokens, lambda name: self._named(name, path))
@@ -212,17 +244,14 @@ class Instances:
             self._has_class(base, name) for base in self._library.bases(owner)
         )
 
-    def _check_attributes(self, path: str, given: Given) -> None:
-        for name in given.inner.keys() - _ATTRIBUTES:
-            self.mistakes.append((f"{path} has no attribute {name}", name))
-
-    def _check_repeated(self, path: str, members: list[tuple[Component, Class, Given]]) -> None:
-        first: dict[str, tuple[Component, Class]] = {}
-        for component, around, _ in members:
-            other, there = first.setdefault(component.name, (component, around))
-            if other.modifier != component.modifier and around is not there:
+    def _check_repeated(self, path: str, members: list[_Member]) -> None:
+        first: dict[str, _Member] = {}
+        for member in members:
+            component, around = member.component, member.around
+            other = first.setdefault(component.name, member)
+            if other.component.modifier != component.modifier and around is not other.around:
                 name = _joined(path, component.name)
-                what = f"{name} is declared in {there.name} and in {around.name}, differently"
+                what = f"{name} is declared in {other.around.name} and in {around.name}, differently"
                 self.mistakes.append((what, component.name))
 
 
@@ -230,6 +259,11 @@ _NOTHING: Final = Given()
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
+
+
+def _nature(component: Component, kind: Class) -> tuple[bool, bool]:
+    """Return whether a variable is a parameter or a constant, and whether its start value is usually zero."""
+    return bool(component.prefixes & {"parameter", "constant"}), not kind.is_enumeration
 
 
 def _joined(path: str, name: str) -> str:

@@ -49,6 +49,10 @@ class Library:
         first, *rest = name.split(".")
         return self._within(self._first(first, scope), rest)
 
+    def own(self, owner: Class, name: str) -> Class | None:
+        """Return the class that a class or a base of it declares, even if it is replaceable."""
+        return self._element(owner, name)
+
     def _first(self, name: str, scope: Class, *, inherited: bool = True) -> Class:
         found: Class | None = None
         around: Class | None = scope

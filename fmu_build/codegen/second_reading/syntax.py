@@ -300,11 +300,10 @@ class _Parser:
         return found
 
     def _redeclared(self) -> tuple[str, Modifier]:
-        """The name of what is redeclared, and as what; nothing is known of redeclared classes and arrays."""
+        """The name of what is redeclared, and as what; nothing is known of redeclared arrays."""
         self.take_all(_PREFIXES | _CLASS_PREFIXES | {"each"})
         if self.here in _KINDS:
-            self.take()
-            return self.take(), Modifier(redeclares=True)
+            return self._redeclared_class()
         kind = self.name()
         common = self._subscripts()
         name = self.take()
@@ -312,6 +311,17 @@ class _Parser:
         inner = self._arguments() if self.here == "(" else {}
         value = self._expression() if self.take_if("=") else ()
         return name, Modifier(value, inner, type=kind, redeclares=is_unknown)
+
+    def _redeclared_class(self) -> tuple[str, Modifier]:
+        self.take()
+        name = self.take()
+        if not self.take_if("=") or self.here in _PREFIXES | {"enumeration"}:
+            return name, Modifier(redeclares=True)
+        kind = self.name()
+        is_unknown = self.here == "["
+        return name, Modifier(
+            inner=self._arguments() if self.here == "(" else {}, type=kind, redeclares=is_unknown
+        )
 
     def _expression(self) -> Tokens:
         """Tokens up to a comma, a closing bracket, a semicolon, or a condition or annotation behind it."""

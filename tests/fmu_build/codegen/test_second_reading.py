@@ -110,12 +110,38 @@ def test_redeclared_components() -> None:
         end M;""") == {"c.a.k": 4.0, "c.a.z": 8.0, "e.a.k": 4.0, "e.a.z": 4.0, "d.c.k": 1.0}
 
 
-def test_what_may_be_redeclared_is_left_out() -> None:
+def test_redeclared_classes() -> None:
+    """A replaceable class is what the modifiers around its components say, or its default."""
+    assert _values("""
+        model M
+          model A parameter Real k = 1; end A;
+          model B = A(k = 2);
+          model C replaceable model D = A(k = 9); D d; D e(k = 5); end C;
+          model F extends C(redeclare model D = B); D f; end F;
+          C c(redeclare model D = B);
+          F f(redeclare model D = A);
+          F g;
+          C h;
+        end M;""") == {
+        "c.d.k": 2.0,
+        "c.e.k": 5.0,
+        "f.d.k": 1.0,
+        "f.e.k": 5.0,
+        "f.f.k": 1.0,
+        "g.d.k": 2.0,
+        "g.e.k": 5.0,
+        "g.f.k": 2.0,
+        "h.d.k": 9.0,
+        "h.e.k": 5.0,
+    }
+
+
+def test_what_is_not_known_is_left_out() -> None:
     found = _instances("""
         model M
           model A parameter Real k = 1; end A;
           model B = A(k = 2);
-          model C replaceable A a constrainedby A; replaceable model D = A; D d; A e; end C;
+          model C replaceable A a constrainedby A; replaceable package D end D; D.X d; A e; end C;
           C c(redeclare B a);
           outer C o;
         end M;""")
