@@ -22,6 +22,7 @@ from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 
 _ROUNDING: Final = 1e-9
+_ZERO: Final = Given(("0",))
 _ATTRIBUTES: Final = {"start": "start", "min": "minimum", "max": "maximum", "nominal": "nominal"}
 _ITERATOR: Final = re.compile(r"(?:\bfor|,)\s+(\w+)\s+in\b")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]|\s")
@@ -47,7 +48,7 @@ def reject_other_values(model: LoweredModel) -> None:
             continue
         for difference in (
             *_differences(instances, leaf, variable),
-            *_others(model, instances, variable["name"]),
+            *_in_equation(model, instances, variable["name"]),
         ):
             raise model.unsupported(
                 f"{difference}: the compiler has lost or misplaced a modifier of {variable['name']}, or of "
@@ -79,36 +80,41 @@ def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> 
                 )
 
 
-_ZERO: Final = Given(("0",))
-
-
 def _flat(value: Value) -> list[float]:
     return [one for element in value for one in _flat(element)] if isinstance(value, list) else [value]
 
 
-def _others(model: LoweredModel, instances: Instances, name: str) -> Iterator[str]:
+def _in_equation(model: LoweredModel, instances: Instances, name: str) -> Iterator[str]:
     """Yield what is wrong with the equation in the declaration of a variable."""
-    leaf, binding = instances.leaves[name], model.flat["variables"].get(name, {}).get("binding")
-    if leaf.is_constant or name not in model.flat["variables"]:
+    leaf, flat = instances.leaves[name], model.flat["variables"].get(name)
+    if leaf.is_constant or flat is None:
         return
-    if binding is None or not leaf.given.value:
-        if leaf.given.value:
-            yield f"the equation {' '.join(leaf.given.value)} is lost"
-        elif binding is not None:
-            yield "there is an equation that the source does not give"
-        return
+    given, binding = leaf.given, flat.get("binding")
+    if binding is None and given.value:
+        yield f"the equation {' '.join(given.value)} is lost"
+    elif binding is not None and not given.value:
+        yield "there is an equation that the source does not give"
+    elif binding is not None:
+        ((_, content),) = binding.items()
+        text = model.text(content["span"])
+        if not _contains(given.value, tuple(TOKEN.findall(blanked(text)))):
+            yield f"the equation is {text} instead of {' '.join(given.value)}"
+        yield from _mistaken_names(model, instances, given.scope, binding)
+
+
+def _mistaken_names(
+    model: LoweredModel, instances: Instances, scope: str, binding: dict[str, Any]
+) -> Iterator[str]:
+    """Yield names in an equation that rumoca takes for variables of another component than `scope`."""
     ((_, content),) = binding.items()
-    text = model.text(content["span"])
-    if not _contains(leaf.given.value, tuple(TOKEN.findall(blanked(text)))):
-        yield f"the equation is {text} instead of {' '.join(leaf.given.value)}"
-    iterators = set(_ITERATOR.findall(text))
+    iterators = _ITERATOR.findall(model.text(content["span"]))
     for reference in expressions(binding, "VarRef"):
         written = _SUBSCRIPTS.sub("", model.text(reference["span"]))
         first = written.partition(".")[0]
-        if first not in iterators and first in instances.members(leaf.given.scope):
-            meant = f"{leaf.given.scope}.{written}" if leaf.given.scope else written
+        if first not in iterators and first in instances.members(scope):
+            meant = _SUBSCRIPTS.sub("", f"{scope}.{written}" if scope else written)
             found = _SUBSCRIPTS.sub("", reference["name"]["name"])
-            if not f"{found}.".startswith(_SUBSCRIPTS.sub("", f"{meant}.")):  # it may be a member of a record
+            if found != meant and not found.startswith(f"{meant}."):  # a member of a record
                 yield f"{written} means {found} instead of {meant}"
 
 
