@@ -112,8 +112,8 @@ EVENTS = (
     Meaning(
         r"analysis proves the exact comprehension occurrence",
         UnsupportedModelError,
-        "an array comprehension, or a sum() or the like with an iterator, is not supported in a when-clause or "
-        "a loop; give it to a variable outside",
+        "an array comprehension, or a sum() or the like with an iterator, is not supported in a when-clause "
+        "or a loop; give it to a variable outside",
         (r"[({](?=[^(){}]*\bfor\s+\w+\s+in\b)", r"\bfor\s+\w+\s+in\b"),
     ),
     Meaning(

@@ -125,7 +125,7 @@ _CASES = {
         "discrete Real d[3];",
         "when time > 0.5 then d = {i*time for i in 1:3}; end when;",
         UnsupportedModelError,
-        "M.mo:4:28: an array comprehension, or a sum() or the like with an iterator, is not supported in a when",
+        "M.mo:4:28: an array comprehension, or a sum() or the like with an iterator, is not supported",
     ),
     "one of several results in the expression of a parameter": Case(
         "function f input Real x; output Real a; output Real b; algorithm a := x; b := 2*x; end f; "
