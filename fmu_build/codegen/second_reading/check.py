@@ -114,7 +114,9 @@ def _mistaken_names(
         if first not in iterators and first in instances.members(scope):
             meant = _SUBSCRIPTS.sub("", f"{scope}.{written}" if scope else written)
             found = _SUBSCRIPTS.sub("", reference["name"]["name"])
-            if found != meant and not found.startswith(f"{meant}."):  # a member of a record
+            # It may go on with a member of a record, or be followed by one.
+            is_meant = f"{found}.".startswith(f"{meant}.") or f"{meant}.".startswith(f"{found}.")
+            if not is_meant and not instances.is_through_outer(meant):
                 yield f"{written} means {found} instead of {meant}"
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterator, Mapping, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
@@ -16,6 +17,9 @@ from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, val
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
 
+#: The scope of the modifiers of a short class, which are evaluated around it.
+_AROUND: Final = ".."
+_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
@@ -38,6 +42,7 @@ class Given:
     around: Class | None = None
     redeclares: bool = False
     place: tuple[int, ...] = ()
+    is_used_up: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,11 +89,16 @@ class Instances:
         self._library = library
         self._members: dict[str, set[str]] = {}
         self._evaluating: set[str] = set()
+        self._outer: set[str] = set()
         self._expand("", library.class_of(model), {}, 0)
 
     def members(self, path: str) -> Set[str]:
         """Return the names of the variables and components in a component; none if they are not known."""
         return self._members.get(path, frozenset())
+
+    def is_through_outer(self, path: str) -> bool:
+        """Return whether a path without subscripts goes through an outer component."""
+        return any(f"{path}.".startswith(f"{outer}.") for outer in self._outer)
 
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
@@ -127,6 +137,7 @@ class Instances:
         names = {one.component.name for one in members}
         outer = {one.component.name for one in members if "outer" in one.component.prefixes}
         self._members[path] = names - outer if is_known else set()
+        self._outer |= {_SUBSCRIPTS.sub("", _joined(path, name)) for name in outer}
         if not is_known:
             return
         self._check_names(path, owner, given, names)
@@ -146,7 +157,7 @@ class Instances:
             base = self._library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = _inner(modifier, path, owner)
+            inner = _inner(modifier, _AROUND if owner.is_short else path, owner)
             all_given = self._merged(path, all_given, inner)
             inherited = list(self._components(path, base, self._merged(path, given, inner)))
             self._check_names(path, base, inner, {one.component.name for one in inherited})
@@ -166,7 +177,7 @@ class Instances:
         dimensions = component.dimensions
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            attributes = self._both(name, attributes, _given(modifier, path, kind))
+            attributes = self._both(name, attributes, _given(modifier, _AROUND, kind))
             dimensions += kind.dimensions
             kind = self._library.base(kind, base)
         sizes = tuple(self._size(tokens, path) for tokens in dimensions)
@@ -288,9 +299,17 @@ def _inner(modifier: Modifier, scope: str, around: Class) -> dict[str, Given]:
     return {name: _given(one, scope, around) for name, one in modifier.inner.items()}
 
 
-def _element(given: Given, places: tuple[int, ...]) -> Given:
-    """Return what an element of an array is given by a modifier of the array."""
+def _element(given: Given, places: tuple[int, ...], *, is_inner: bool = False) -> Given:
+    """Return what an element of an array is given by a modifier of the array.
+
+    An ``each`` in the modifier of a modifier may belong to this array or to one inside: it is used up here,
+    and nothing is known of the latter.
+    """
+    if not places:
+        return given
+    if given.is_used_up:
+        return replace(given, redeclares=True)
     if given.each:
-        return replace(given, each=False)  # which holds for this array, not for others in it
-    inner = {name: _element(one, places) for name, one in given.inner.items()}
+        return replace(given, each=False, is_used_up=is_inner)
+    inner = {name: _element(one, places, is_inner=True) for name, one in given.inner.items()}
     return replace(given, inner=inner, place=given.place + places)

@@ -8,6 +8,7 @@ from random import Random
 import pytest
 
 from fmu_build import ModelicaError, UnsupportedModelError
+from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.compilers.rumoca import generate_model
@@ -85,12 +86,15 @@ def test_each() -> None:
           model B A a[2](k = {5, 6}); end B;
           A a[2](each x(start = {1, 2}), k = {3, 4});
           B b[2](each a(k = {8, 9}));
+          B c(a(each k = 2));
         end M;""") == {
         **{f"a[{i}].x": [1.0, 2.0] for i in (1, 2)},
         "a[1].k": 3.0,
         "a[2].k": 4.0,
         **{f"b[{i}].a[{j}].x": 7.0 for i in (1, 2) for j in (1, 2)},
         **{f"b[{i}].a[{j}].k": 7.0 + j for i in (1, 2) for j in (1, 2)},
+        **{f"c.a[{j}].x": 7.0 for j in (1, 2)},
+        **{f"c.a[{j}].k": 2.0 for j in (1, 2)},
     }
 
 
@@ -136,6 +140,19 @@ def test_redeclared_classes() -> None:
     }
 
 
+def test_modifiers_of_a_short_class_are_not_read_in_it() -> None:
+    """In ``model X = Y(k = p)``, p is not that of Y; which it is, is not known here."""
+    found = _instances("""
+        model M
+          constant Real p = 3;
+          model Y parameter Real p = 1; parameter Real k = 2; end Y;
+          model X = Y(k = p);
+          X x;
+        end M;""")
+    with pytest.raises(UnknownError):
+        found.value(found.leaves["x.k"].given)
+
+
 def test_what_is_not_known_is_left_out() -> None:
     found = _instances("""
         model M
@@ -174,6 +191,19 @@ _LOST = {
         "the start value is 170 instead of 10: the compiler has lost or misplaced a modifier of b.a.w",
     ),
 }
+
+
+#: Declarations in which names are written that the compiler writes differently.
+_RIGHT = {
+    "slices": "model A parameter Real k=1; end A; A a[3](k={1,2,3}); Real y = sum(a[2:3].k);",
+    "inner and outer": "model W parameter Real g=1; Real v=g; end W; model B outer W w; end B; "
+    "inner W w(g=5); B b; Real y = b.w.v;",
+}
+
+
+@pytest.mark.parametrize("declarations", _RIGHT.values(), ids=_RIGHT.keys())
+def test_other_names_for_the_same(declarations: str, tmp_path: Path) -> None:
+    _generate(declarations, tmp_path)
 
 
 @pytest.mark.parametrize(("declarations", "message"), _LOST.values(), ids=_LOST.keys())
