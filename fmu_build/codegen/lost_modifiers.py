@@ -14,6 +14,7 @@ from itertools import chain
 
 from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.comprehensions import miscounted_comprehensions
+from fmu_build.codegen.computed_connections import computed_connections
 from fmu_build.codegen.contradicted_constants import contradicted_constants
 from fmu_build.codegen.leaking_modifiers import arrays_over_names, leaking_modifiers
 from fmu_build.codegen.lowered import LoweredModel
@@ -66,6 +67,7 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
         _modifiers_of_classes,
         values_over_members,
         mistaken_constructors,
+        computed_connections,
         _modifiers_of_base_functions,
         changed_modifiers,
         changed_constants,

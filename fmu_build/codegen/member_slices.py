@@ -13,6 +13,7 @@ from fmu_build.codegen.compiled import CompiledModel, Span, expressions
 from fmu_build.support.errors import UnsupportedModelError
 
 _SUBSCRIPTS = re.compile(r"\s*\[\s*(?P<inside>[^\[\]]*(?:\[[^\[\]]*\][^\[\]]*)*)\]")
+_REDUCTIONS = {"Sum", "Product", "Min", "Max"}
 _COLONS = re.compile(r"[:,\s]*")
 _PART = re.compile(r"\s*(?P<name>'(?:[^'\\]|\\.)*'|[A-Za-z_]\w*)\s*(?P<subscripts>\[[^\[\]]*\])?\s*(?:\.|$)")
 
@@ -26,6 +27,7 @@ def reject_member_slices(model: CompiledModel) -> None:
             and _is_member_of_slice(model, index["base"])
         ):
             raise _unsupported(model, index["span"])
+    _reject_reductions_of_matrices(model)
     known: set[tuple[int, int, int]] = set()
     for reference in expressions(model.flat, "VarRef"):
         span, component = reference["span"], reference["name"]["component_ref"]
@@ -37,6 +39,17 @@ def reject_member_slices(model: CompiledModel) -> None:
         if place not in known and _has_lost_subscripts(model, span, component["parts"]):
             raise _unsupported(model, span)
         known.add(place)
+
+
+def _reject_reductions_of_matrices(model: CompiledModel) -> None:
+    """Reject ``sum(a.k)`` over a matrix of components, for which rumoca takes a single number, as 1."""
+    for call in expressions(model.flat, "BuiltinCall"):
+        if call["function"] in _REDUCTIONS and len(call["args"]) == 1 and "Literal" in call["args"][0]:
+            raise model.unsupported(
+                "a sum or the like over a matrix of components is not supported; write one with an iterator "
+                "for each subscript",
+                call["span"],
+            )
 
 
 def _is_in_array(parts: list[Any]) -> bool:

@@ -18,13 +18,19 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.clauses import component_clauses
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
-from fmu_build.codegen.modelica_source.modifiers import assigned
+from fmu_build.codegen.modelica_source.modifiers import assigned, closing, values
 
 _KIND = r"(?:model|block|class|package|connector|record|function|type)"
 _OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"
 _ALIAS = re.compile(r"\b(?:package|import)\s+(?P<name>\w+)\s*=\s*(?P<meaning>[\w.]+\s*\(?)")
 _REDECLARED_FUNCTION = r"\bredeclare\s+(?:replaceable\s+)?function\s+(?:extends\s+)?(\w+)"
 _GLOBAL = r"(?<![\w.\]')])(?<![\w.\]')]\s)\.\s*[A-Za-z_]\w*"
+_OF_ITSELF = (
+    r"\bredeclare\s+(?:replaceable\s+)?(?:model|block|record|class|type|connector)\s+(\w+)\s*=\s*"
+    r"\1\b(?!\s*\.)"
+)
+_SHORT = re.compile(r"[\w\s]+=\s*(?:\w+\s*\.\s*)*(?P<base>\w+)\s*(?:\[[^\]]*\]\s*)?\(")
+_HEAD = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?!\s*\()")
 _BUILT_IN = re.compile(
     r"abs|sign|sqrt|div|mod|rem|ceil|floor|integer|a?sin|a?cos|a?tan|atan2|sinh|cosh|tanh|exp|log|log10|min|max|"
     r"sum|product|size|ndims|zeros|ones|fill|identity|diagonal|linspace|transpose|outerProduct|symmetric|cross|"
@@ -35,7 +41,14 @@ _BUILT_IN = re.compile(
 def reject_mistaken_names(model: LoweredModel) -> None:
     """Raise `UnsupportedModelError` for the first name that rumoca would resolve wrongly."""
     text = model.classes
-    for find in (_outer_classes, _functions_like_built_in_ones, _blind_classes, _global_names):
+    for find in (
+        _outer_classes,
+        _functions_like_built_in_ones,
+        _blind_classes,
+        _global_names,
+        _classes_of_themselves,
+        _short_classes,
+    ):
         for why, construct in find(text):
             raise model.unsupported_at(why, construct)
     for why, construct in _ambiguous_aliases(text, model.flat["functions"]):
@@ -79,6 +92,32 @@ def _global_names(text: ModelText) -> Iterator[tuple[str, Construct]]:
                 f"the leading dot of .{name} is lost, and it is not the only {name}; import it",
                 construct,
             )
+
+
+def _classes_of_themselves(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield redeclarations by a class of the same name, which rumoca takes for the redeclared one."""
+    for construct in text.find([_OF_ITSELF]):
+        yield "the class would be redeclared as its own default; give the new one another name", construct
+
+
+def _short_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:
+    """Yield short classes with names in their modifiers that rumoca looks up in the modified class."""
+    inheritance = Inheritance(text)
+    for name, _, own in text.named():
+        short = _SHORT.match(own)
+        if short is None:
+            continue
+        given = values(own[short.end() : closing(own, short.end() - 1) - 1])
+        bases = inheritance.ancestry(short["base"])
+        members = {one.name for base in bases for one in inheritance.all_components(base)}
+        for word in sorted(members & {word for value in given.values() for word in _HEAD.findall(value)}):
+            simple = name.rpartition(".")[2]
+            what = (
+                f"{word} in the modifiers of the short class {simple} would be that of {short['base']}; "
+                "write a class that extends it"
+            )
+            pattern = rf"\b{simple}\s*=\s*(?:\w+\s*\.\s*)*{short['base']}\b"
+            yield from ((what, found) for found in text.find([pattern]))
 
 
 def _blind_classes(text: ModelText) -> Iterator[tuple[str, Construct]]:

@@ -18,6 +18,7 @@ from fmu_build.codegen.modelica_source.reached import IN_MEMORY, ReachedSource
 from fmu_build.codegen.modelica_source.record_copies import with_records_in_parentheses
 from fmu_build.codegen.modelica_source.table_files import with_tables_from_files
 from fmu_build.codegen.modelica_source.tables import with_own_tables
+from fmu_build.compilers.fatal_source import reject_fatal
 from fmu_build.compilers.generated_once import generated_once
 from fmu_build.compilers.input_steps import input_steps_file, read_input_steps
 from fmu_build.compilers.library import (
@@ -107,6 +108,8 @@ def _generated(request: BuildRequest, libraries: Libraries) -> tuple[GeneratedMo
     files = readable_files(library) if alone else list(reached.texts)
     with translated_errors(request.model, known.file, files):
         texts = {file: read_text(file) for file in files} if alone else _texts(reached, libraries)
+
+    reject_fatal(texts, reached.classes)
 
     def make() -> tuple[GeneratedModel, str]:
         with native_stderr() as loading, translated_errors(request.model, known.file, files):

@@ -66,6 +66,10 @@ class Inheritance:
         """Yield the declarations of a component in the classes of this name themselves."""
         return (own for own in self._components[name] if own.name == component)
 
+    def all_components(self, name: str) -> list[Component]:
+        """Return the components that the classes of this name declare themselves."""
+        return self._components[name]
+
     def declares(self, name: str) -> bool:
         """Return whether the classes of this name declare components themselves."""
         return bool(self._components[name])

@@ -40,6 +40,11 @@ _GATES = (
     "block A I u[2]; O y; equation y = u[1] and u[2]; end A; "
 )
 
+_NET = (
+    "connector P Real v; flow Real i; end P; model R P p; equation p.v = p.i; end R; "
+    "model V P p; equation p.v = 6; end V;"
+)
+
 _RECORDS = (
     "record B Real x=1; Real y=1; end B; record I = B(x=3); "
     "function g input B a; output Real z; algorithm z:=a.x*100+a.y; end g;"
@@ -182,6 +187,62 @@ _CASES = {
         "connect(s.y[:, 2], t.u);",
         UnsupportedModelError,
         "M.mo:4:3: a column of a matrix in connect() is not supported",
+    ),
+    "a class extended as it is redeclared, in a model": Case(
+        "model B replaceable model X parameter Real k=5; end X; X x; end B; "
+        "model C extends B; redeclare model extends X end X; end C; C b;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:89: redeclare ... extends in a model is not supported; give the new class a name of its own",
+    ),
+    "a name with a quotation mark": Case(
+        "parameter Real 'a\"b' = 3;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:18: the name 'a\"b' has a quotation mark, which is not supported",
+    ),
+    "a subscript in connect() that is not evaluated": Case(
+        f"{_NET} R r[3]; V v;",
+        "connect(v.p, r[end].p);",
+        UnsupportedModelError,
+        "M.mo:4:3: the subscript [end] in connect() would be ignored, because the compiler cannot evaluate",
+    ),
+    "a constant of a package as a subscript": Case(
+        f"{_NET} package C constant Integer k = 2; end C; R r[3]; V v;",
+        "for i in 1:2 loop connect(v.p, r[C.k].p); end for;",
+        UnsupportedModelError,
+        "M.mo:4:21: the subscript [C.k] in connect() would be ignored, because the compiler cannot evaluate",
+    ),
+    "a condition of a connection that is not evaluated": Case(
+        f"{_NET} parameter Boolean u[2] = {{true, false}}; R r; V v;",
+        "if u[2] then connect(v.p, r.p); end if;",
+        UnsupportedModelError,
+        "M.mo:4:3: the condition u[2] of a connection would be ignored, because the compiler cannot evaluate",
+    ),
+    "a condition of a component with a namesake": Case(
+        "model A parameter Integer n = 2; end A; parameter Integer n = 3; A a; Real x if a.n == 2;",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:80: n in the condition a.n == 2 would be that of the class; rename it",
+    ),
+    "a class redeclared by one of its name": Case(
+        "model Y parameter Real k=1; end Y; model Z extends Y(k=4); end Z; model B replaceable model X=Y; "
+        "X x; end B; model T replaceable model X=Z; B b(redeclare model X=X); end T; T t;",
+        "",
+        UnsupportedModelError,
+        "the class would be redeclared as its own default; give the new one another name",
+    ),
+    "a name in the modifiers of a short class": Case(
+        "constant Real p=3; model Y parameter Real p=1; parameter Real k=2; end Y; model X = Y(k=p); X x;",
+        "",
+        UnsupportedModelError,
+        "p in the modifiers of the short class X would be that of Y; write a class that extends it",
+    ),
+    "a sum over a matrix of components": Case(
+        "model A parameter Real k=1; end A; A a[2,2](k={{1,2},{3,4}}); Real y = sum(a.k);",
+        "",
+        UnsupportedModelError,
+        "M.mo:2:74: a sum or the like over a matrix of components is not supported",
     ),
     "a global name beside another": Case(
         "package X constant Real c=5; end X; Real y = .X.c;",
