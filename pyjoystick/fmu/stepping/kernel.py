@@ -51,8 +51,8 @@ from pyjoystick.fmu.stepping.reducing import Operation, reduce_run
 from pyjoystick.motion import EXTREMA_FUNCTIONS
 from pyjoystick.support import FloatArray
 
-#: Part of a step that an FMU may miss. One that adds up fixed steps on a clock of its own lags by the rounding
-#: of their sum, 1e-9 of a step of 1 ms after 12 s; a step that really ends early, at an event, misses more.
+#: Part of a step that an FMU may miss. One that adds up fixed steps on a clock of its own lags by the
+#: rounding of their sum, 1e-9 of a step of 1 ms after 12 s; a step that ends early, at an event, misses more.
 _MISSED = 1e-3
 
 
