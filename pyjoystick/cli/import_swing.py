@@ -14,7 +14,7 @@ from pyjoystick.cli.console import output, print_warning, write_json
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
 from pyjoystick.cli.parsing import parse_angle, parse_assignments
 from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
-from pyjoystick.support import ParameterError, check_outputs
+from pyjoystick.support import ParameterError, check_outputs, positive
 
 EXAMPLES: Final = """
 Examples:
@@ -28,6 +28,7 @@ Hang the joystick upside down, clear of its springs, and let it swing about its 
 """
 #: Quantities on which the moment of inertia depends, with their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
+_UNITS: Final = {"m": "kg", "h": "m", "g": "m/s2"}
 
 
 def run(
@@ -96,6 +97,8 @@ def _known(
     for name, value in {**values, **errors}.items():
         if name not in _PLACES:
             raise ParameterError(name, value, "one of m, h, g")
+    for name, value in values.items():
+        positive(name, value, _UNITS[name])
     require_plausible(values)
     require_uncertainties(errors, file.joystick.to_names() | values)
     known = {}
@@ -120,11 +123,20 @@ def _of_readings(
 ) -> laboratory.SwingPeriod:
     if first is None:
         raise typer.BadParameter("is required: the period depends on it", param_hint="--amplitude")
-    error = parse_angle(uncertainty, "--amplitude-uncertainty")
+    for time in times:
+        positive("--time", time, "s")
+    error = _size(uncertainty, "--amplitude-uncertainty")
     return laboratory.period_of_readings(
         times,
         swings,
-        laboratory.Measured(parse_angle(first, "--amplitude"), error),
-        None if last is None else laboratory.Measured(parse_angle(last, "--end-amplitude"), error),
+        laboratory.Measured(_size(first, "--amplitude"), error),
+        None if last is None else laboratory.Measured(_size(last, "--end-amplitude"), error),
         reaction_time=laboratory.REACTION_TIME if reaction_time is None else reaction_time,
     )
+
+
+def _size(text: str, option: str) -> float:
+    angle = parse_angle(text, option)
+    if angle < 0.0:
+        raise typer.BadParameter(f"{text!r} must be 0deg or more", param_hint=option)
+    return angle

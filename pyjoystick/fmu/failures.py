@@ -32,7 +32,8 @@ def failure(
     if ended is not None:
         return FmuEndedError(ended, THE_END, path, messages)
     if status == EARLY:
-        return FmuRunError(reached, f"{function} came back before the end of the step", path, messages)
+        reason = f"{function} came back at t = {_told(workspace):.9g} s, before the end of the step"
+        return FmuRunError(reached, reason, path, messages)
     label = _LABELS[status] if 0 <= status < len(_LABELS) else "not a status"
     return FmuRunError(reached, f"{function} failed with status {status} ({label})", path, messages)
 
@@ -40,6 +41,11 @@ def failure(
 def _end_of_run(instance: Instance, workspace: Workspace, status: int, begin: float) -> float | None:
     """Time at which the FMU terminated the run in the step from `begin` (s); None if it did not."""
     if status == ENDED:
-        return max(begin, float(workspace.flags.view(np.float64)[REACHED // 8]))
+        return max(begin, _told(workspace))
     is_discarded = status == DISCARD and workspace.place[FUNCTION] == STEP
     return instance.end_of_run(begin) if is_discarded else None
+
+
+def _told(workspace: Workspace) -> float:
+    """Time (s) that the FMU reports to have reached in the last step."""
+    return float(workspace.flags.view(np.float64)[REACHED // 8])

@@ -150,7 +150,8 @@ class Instance:
         if has_ended:
             raise FmuEndedError(reached, THE_END, path, messages)
         if is_early or stopped_short(reached, time, length):
-            raise FmuRunError(time, "fmi3DoStep came back before the end of the step", path, messages)
+            reason = f"fmi3DoStep came back at t = {reached:.9g} s, before the end of the step"
+            raise FmuRunError(time, reason, path, messages)
 
     def save(self) -> int:
         """Save the state; returns its address for `restore`, to be freed by `forget`."""

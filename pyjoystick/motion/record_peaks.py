@@ -63,8 +63,8 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
 
     Raises:
         ParameterError: the argument is not a record
-        RecordError: the samples do not determine a motion with a release and two swings, or the first peak of
-            the velocity is lower than the second
+        RecordError: the samples do not determine a motion with a release and two swings, the first peak of
+            the displacement is on the side of the release, or the first of the velocity lower than the second
     """
     if not isinstance(record, Record):
         allowed = "a Record; of a run, find_peaks(run.index, run['theta'])"
@@ -75,17 +75,35 @@ def measured_peaks(record: Record) -> MeasuredPeaks:
     if finer < THRESHOLD * largest:
         fitted = _fit(record, finer)
     angle_error = math.sqrt(float(fitted.variance(np.array([fitted.release]))[0]))
-    velocity = _peaks(fitted, record.interval, 1)
+    displacement, velocity = (_peaks(fitted, record.interval, derivative) for derivative in (0, 1))
+    release_angle = float(fitted.spline(fitted.release))
+    _require_other_side(record, release_angle, displacement)
     _require_release(record, velocity)
     return MeasuredPeaks(
         name=record.name,
         release_time=fitted.release,
         release_time_error=math.sqrt(fitted.release_variance),
-        release_angle=float(fitted.spline(fitted.release)),
+        release_angle=release_angle,
         release_angle_error=angle_error,
-        displacement=_peaks(fitted, record.interval, 0),
+        displacement=displacement,
         velocity=velocity,
         noise=fitted.noise,
+    )
+
+
+def _require_other_side(record: Record, release_angle: float, displacement: pd.DataFrame) -> None:
+    """Refuse a first peak of the displacement on the side of the release: it is noise of the hold."""
+    if displacement.empty or displacement["value"].iloc[0] * release_angle <= 0.0:
+        return
+    time, value = displacement[["time", "value"]].iloc[0]
+    raise RecordError(
+        record.source,
+        "the release is not found: the first peak of the displacement is on the side of the release, "
+        f"{math.degrees(release_angle):+.3g} degrees",
+        "release from a larger angle, or measure with less noise",
+        column="theta",
+        rows=[record.rows[int(np.argmin(np.abs(record.time - time)))]],
+        value=f"{math.degrees(value):+.3g} degrees at {time:.4g} s",
     )
 
 

@@ -167,13 +167,14 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
         try:
             parts.append(Part(name=name, **measured))
         except ParameterError as error:
-            column = error.field.split(": ")[-1]
+            quantity = error.field.split(": ")[-1]
+            heading = file.head.match(_COLUMNS)[quantity].heading
             raise RecordError(
                 str(path),
                 "is not allowed",
-                f"must be {error.allowed}",
-                column=column,
+                f"must be {'above 0' if quantity == 'mass' else '0 or more'}",
+                column=heading.text,
                 rows=[file.rows[i]],
-                value=error.value,
+                value=f"{file.numbers(heading)[i]:g}",
             ) from None
     return tuple(parts)

@@ -20,6 +20,9 @@ from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, 
 REACTION_TIME: Final = 0.05
 #: Largest ratio of two readings of the same pendulum.
 _ALIKE: Final = 1.5
+#: Shortest and longest full swing (s), with a wide margin.
+_SHORTEST: Final = 1e-3
+_LONGEST: Final = 1e4
 _NODES: Final = 16
 #: Smallest part of a small swing's drive at the turn, in the middle: where less is left, the joystick stops.
 _BARELY: Final = 0.01
@@ -110,8 +113,9 @@ def period_of_readings(
         reaction_time: standard uncertainty that all readings share (s)
 
     Raises:
-        ParameterError: no reading, a reading or number that is not above 0, an amplitude out of range, or one
-            that grows
+        ParameterError: no reading, a number that is not above 0, a swing of less than 1 ms or more than
+            10,000 s, a negative uncertainty, a reaction time longer than a reading, an amplitude out of
+            range, or one that grows
     """
     whole_number("swings", swings, 1)
     if not readings:
@@ -120,14 +124,23 @@ def period_of_readings(
     if times.max() > _ALIKE * times.min():
         given = f"from {times.min():g} to {times.max():g} s"
         raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
+    shortest, longest = swings * _SHORTEST, swings * _LONGEST
+    for i, time in enumerate(times.tolist()):
+        if not shortest <= time <= longest:
+            allowed = f"between {shortest:g} and {longest:g} s for {swings} swing{'s' * (swings > 1)}"
+            raise ParameterError(f"readings[{i}]", time, allowed)
+    if not_negative("reaction_time", reaction_time, "s") > times.min():
+        raise ParameterError("reaction_time", reaction_time, f"at most the reading, {times.min():g} s")
     amplitudes = {"first_amplitude": first_amplitude, "last_amplitude": last_amplitude or first_amplitude}
     first, last = (not_negative(name, angle(name, one.value), "rad") for name, one in amplitudes.items())
+    for name, one in amplitudes.items():
+        not_negative(f"{name}.uncertainty", one.uncertainty, "rad")
     if last > first:
         raise ParameterError("last_amplitude", last, f"at most the first amplitude, {first:g} rad")
     scatter = float(np.std(times, ddof=1)) / math.sqrt(len(times)) if len(times) > 1 else 0.0
     quantities = {
         "mean of the readings": Measured(float(np.mean(times)), scatter, max(len(times) - 1.0, 1.0)),
-        "reaction": Measured(0.0, not_negative("reaction_time", reaction_time, "s")),
+        "reaction": Measured(0.0, reaction_time),
         "first amplitude": first_amplitude,
     }
     # One amplitude for both is one quantity, with one error.
@@ -153,10 +166,11 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
         g: gravitational acceleration (m/s2); its sign does not matter
 
     Raises:
-        ParameterError: one of them is 0, so that nothing swings
+        ParameterError: m or h is not above 0, or g is 0, so that nothing swings
     """
-    for name, one in (("m", m), ("h", h), ("g", g)):
-        positive(name, abs(one.value))
+    positive("m", m.value, "kg")
+    positive("h", h.value, "m")
+    positive("g", abs(g.value), "m/s2")
 
     def inertia(T: float, m: float, h: float, g: float) -> float:  # noqa: N803  # the symbol of the period
         return m * abs(g) * h * (T / (2.0 * math.pi)) ** 2

@@ -13,13 +13,17 @@ from pyjoystick.laboratory.inertia.decay import fitted_decay
 from pyjoystick.laboratory.inertia.swing import SwingPeriod, amplitude_factor, half_swing_factor
 from pyjoystick.laboratory.inertia.swing_checks import check_swings
 from pyjoystick.laboratory.inertia.turns import Turns, turns_of, whole_swings
-from pyjoystick.motion import Record
+from pyjoystick.motion import Record, RecordError
 from pyjoystick.support import FloatArray
 
 #: Smallest standard error of a crossing, relative to the period: what rounding does to records without noise.
 _ROUNDING: Final = 1e-12
 #: Standard uncertainty of the method, relative to the period: higher orders of amplitude and friction.
 _METHOD: Final = 2e-6
+#: An amplitude grows if the last third of the heights exceeds the first by this many standard errors
+_SIGNIFICANT: Final = 5.0
+#: and by this part of the first; less does no harm.
+_GROWTH: Final = 0.01
 
 
 def period_of_record(record: Record) -> SwingPeriod:
@@ -34,13 +38,14 @@ def period_of_record(record: Record) -> SwingPeriod:
         record: the joystick as a pendulum, with at least five half swings above a fifth of the largest angle
 
     Raises:
-        RecordError: too few half swings, or too few samples in one; a second release; a gap that may hide a
-            turn; an angle that stays at the end of the instrument's range
+        RecordError: too few half swings, or too few samples in one; a second release, or an amplitude that
+            grows; a gap that may hide a turn; an angle that stays at the end of the instrument's range
     """
     # The record's zero may differ from the rest position, which follows from the tops.
     centered = record.theta - float(np.mean(record.theta))
     check_swings(record, centered, whole_swings(record, centered))
     turns = turns_of(record, centered - _middle(turns_of(record, centered)))
+    _require_decay(record, turns)
     heights, passages = np.abs(turns.tops)[1:-1], turns.passages
     decay = fitted_decay(np.abs(turns.tops), turns.top_errors)
     found = decay.damping_ratio.value, decay.friction_angle.value
@@ -67,6 +72,25 @@ def period_of_record(record: Record) -> SwingPeriod:
         2.0 * float(passages[-1] - passages[0]) / (len(passages) - 1),
         float(np.mean(amplitude_factor(heights))),
         decay,
+    )
+
+
+def _require_decay(record: Record, turns: Turns) -> None:
+    """Refuse an amplitude that slowly grows, as that of no free pendulum does."""
+    heights, count = np.abs(turns.tops), len(turns.tops) // 3
+    first, last = heights[:count], heights[-count:]
+    before, after = float(np.mean(first)), float(np.mean(last))
+    # The scatter counts, too: that of a beat, or of coarse angles, exceeds the noise.
+    squares = np.concatenate((turns.top_errors[:count], turns.top_errors[-count:])) ** 2
+    error = math.sqrt((float(np.mean(squares)) * 2.0 + float(np.var(first) + np.var(last))) / count)
+    if after - before <= max(_SIGNIFICANT * error, _GROWTH * before):
+        return
+    raise RecordError(
+        record.source,
+        f"the amplitude grows, from {math.degrees(before):.4g} degrees in the first third of the half swings",
+        "let the joystick swing freely: nothing may drive it, such as a moving support",
+        column="theta",
+        value=f"{math.degrees(after):.4g} degrees in the last third",
     )
 
 

@@ -57,3 +57,30 @@ def test_wrong_usage(command: Command) -> None:
     assert command("import", "swing", "--time", "8").code == 2
     refused = command("import", "swing", "--time", "8", "--amplitude", "10", "--set", "J=1")
     assert (refused.code, refused.message) == (1, "J = 1.0: must be one of m, h, g")
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "words"),
+    [
+        (("--set", "h=-0.1"), 1, "h = -0.1: must be a finite number above 0 m"),
+        (("--set", "m=-1"), 1, "m = -1.0: must be a finite number above 0 kg"),
+        (("--set", "m=-1", "--set", "h=-0.1"), 1, "m = -1.0: must be a finite number above 0 kg"),
+        (("--set", "g=-9.8"), 1, "g = -9.8: must be a finite number above 0 m/s2"),
+        (("--amplitude-uncertainty", "-1deg"), 2, "--amplitude-uncertainty: '-1deg' must be 0deg or more"),
+        (("--amplitude", "-5deg"), 2, "--amplitude: '-5deg' must be 0deg or more"),
+        (("--time", "0"), 1, "--time = 0.0: must be a finite number above 0 s"),
+    ],
+)
+def test_what_a_swing_cannot_have_is_refused(
+    command: Command, options: tuple[str, ...], code: int, words: str
+) -> None:
+    outcome = command("import", "swing", "--time", "0.81", "--amplitude", "10deg", *options)
+    assert outcome.code == code
+    assert words in outcome.err
+
+
+@pytest.mark.parametrize("time", ["1e300", "1e-300"])
+def test_a_time_that_no_swing_takes_is_refused(command: Command, time: str) -> None:
+    outcome = command("import", "swing", "--time", time, "--amplitude", "10deg", "--reaction-time", "0")
+    assert outcome.code == 1
+    assert "must be between 0.001 and 10000 s for 1 swing" in outcome.err

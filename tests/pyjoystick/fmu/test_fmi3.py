@@ -76,7 +76,8 @@ def test_failures(awkward3: Fmu, loop: str) -> None:
     assert told[Trouble.FATAL].endswith("status 4 (fatal))")
     assert told[Trouble.REFUSED_START].startswith("awkward3.fmu at t = 0 s: 100 % refused at 0 (fmi3Exit")
     assert told[Trouble.ENDS] == "awkward3.fmu: the FMU ended the simulation at t = 0.625 s"
-    early = "awkward3.fmu at t = 0.5 s: no message (fmi3DoStep came back before the end of the step)"
+    reason = "fmi3DoStep came back at t = 0.625 s, before the end of the step"
+    early = f"awkward3.fmu at t = 0.5 s: no message ({reason})"
     assert told[Trouble.COMES_BACK_EARLY] == told[Trouble.STOPS_SHORT] == early
     sound = (
         *(Trouble.NONE, Trouble.WARNINGS),
@@ -125,8 +126,8 @@ def test_stepped_by_hand_it_gives_what_a_run_gives(awkward3: Fmu, instance: Inst
     [
         (Trouble.ERROR, r"at t = 0 s: trouble at 0 \(.*fmi3DoStep"),
         (Trouble.ENDS, "the FMU ended the simulation at t = 0.125 s"),
-        (Trouble.COMES_BACK_EARLY, "fmi3DoStep came back before the end of the step"),
-        (Trouble.STOPS_SHORT, "fmi3DoStep came back before the end of the step"),
+        (Trouble.COMES_BACK_EARLY, "fmi3DoStep came back at t = 0.125 s, before the end of the step"),
+        (Trouble.STOPS_SHORT, "fmi3DoStep came back at t = 0.125 s, before the end of the step"),
     ],
 )
 def test_a_step_by_hand_that_fails(instance: Instance, trouble: Trouble, message: str) -> None:

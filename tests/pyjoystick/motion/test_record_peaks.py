@@ -108,6 +108,27 @@ def test_a_first_peak_of_the_velocity_below_the_second_is_refused() -> None:
     assert caught.value.rows
 
 
+def test_a_release_that_is_lost_in_the_noise_of_the_hold_is_refused() -> None:
+    """From -3 degrees with 0.2 degrees of noise, the first peak was sometimes one of the hold."""
+    peaks, refused = [], []
+    for seed in range(12):
+        record = synthetic_record(
+            NOMINAL,
+            release_angle=math.radians(-3.0),
+            random=np.random.default_rng(seed),
+            release_time=1.0,
+            rate=200.0,
+            noise=math.radians(0.2),
+        )
+        try:
+            peaks.append(measured_peaks(record).displacement["value"].iloc[0])
+        except RecordError as error:
+            refused.append(str(error))
+    assert min(peaks) > 0.0
+    assert refused
+    assert all("the first peak of the displacement is on the side of the release" in one for one in refused)
+
+
 def test_the_average_of_noisy_records_has_no_more_bias_than_clean_ones() -> None:
     displacement, _ = _truth(NOMINAL)
     found = [peaks for _, peaks in _measured(NOMINAL, math.radians(0.1), 24)]

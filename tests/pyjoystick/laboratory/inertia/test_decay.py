@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -168,3 +169,12 @@ def test_constant_falls_are_dry_friction_alone() -> None:
     random = np.random.default_rng(1)
     heights = decaying_heights(0.3, 0.0, 2e-3, 40) + 1e-4 * random.standard_normal(40)
     assert fitted_decay(heights).preferred == "dry friction alone"
+
+
+@pytest.mark.parametrize(("damping", "change"), [(0.0009, -0.0026), (DAMPING, -0.0017)])
+def test_the_scale_of_the_angle_changes_the_inertia_little(damping: float, change: float) -> None:
+    """Angles that are 10 % too large; docs/parameters-from-measurements.md states both."""
+    record = rubbing_swing(0.0, None, damping=damping)
+    too_large = dataclasses.replace(record, theta=1.1 * record.theta)
+    ratio = period_of_record(too_large).period.value / period_of_record(record).period.value
+    assert ratio**2 - 1.0 == pytest.approx(change, abs=6e-5)

@@ -102,7 +102,12 @@ def test_a_file(tmp_path: Path) -> None:
         (
             "grip;500",
             "grip;-500",
-            "column 'mass', row 4: is not allowed (found -0.5); must be a finite number above 0",
+            "column 'mass (g)', row 4: is not allowed (found -500); must be above 0",
+        ),
+        (
+            "0.5;0;10000",
+            "-0.5;0;10000",
+            "column 'u_height (mm)', row 3: is not allowed (found -0.5); must be 0 or more",
         ),
         ("grip;500", "shaft;500", "row 4: a part occurs twice (found shaft); give each its own name"),
         ("mass (g);u", "mass;u", "column 'mass', row 2: has no unit; write it in the heading"),

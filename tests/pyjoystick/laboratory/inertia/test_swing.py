@@ -156,6 +156,13 @@ def test_an_amplitude_that_grows_is_refused() -> None:
         period_of_readings([8.0], 10, Measured(0.1), Measured(0.2))
 
 
+def test_a_negative_uncertainty_and_an_endless_reaction_are_refused() -> None:
+    with pytest.raises(ParameterError, match=r"^first_amplitude\.uncertainty = -0\.1: "):
+        period_of_readings([8.0], 10, Measured(0.1, -0.1))
+    with pytest.raises(ParameterError, match=r"^reaction_time = 9\.0: must be at most the reading, 8 s"):
+        period_of_readings([8.0], 10, Measured(0.1), reaction_time=9.0)
+
+
 def test_nothing_swings_without_weight() -> None:
     period = period_of_readings([8.0], 10, Measured(0.1)).period
     with pytest.raises(ParameterError, match=r"^h = "):

@@ -47,6 +47,18 @@ def test_a_second_release_is_refused() -> None:
         period_of_record(_with(np.concatenate((first, second))))
 
 
+@pytest.mark.parametrize("degrees", [0.0, 0.05])
+def test_an_amplitude_that_slowly_grows_is_refused(degrees: float) -> None:
+    time = np.arange(0.0, 20.0, 0.01)
+    noise = np.radians(degrees) * np.random.default_rng(1).standard_normal(len(time))
+    free = np.radians(3.0) * np.cos(7.857 * time)
+    steady = Record("steady", time, free + noise)
+    assert period_of_record(steady).period.value == pytest.approx(2.0 * np.pi / 7.857, rel=1e-3)
+    growing = Record("growing", time, free * (1.0 + time / 60.0) + noise)
+    with pytest.raises(RecordError, match=r"the amplitude grows, from 3\..* degrees in the last third"):
+        period_of_record(growing)
+
+
 def test_a_gap_in_which_the_pendulum_turns_is_refused_and_a_short_one_named() -> None:
     kept = np.ones(len(RECORD), dtype=np.bool_)
     kept[300:345] = False
