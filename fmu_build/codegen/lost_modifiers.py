@@ -14,7 +14,6 @@ from itertools import chain
 
 from fmu_build.codegen.changed_constants import changed_constants
 from fmu_build.codegen.comprehensions import miscounted_comprehensions
-from fmu_build.codegen.computed_connections import computed_connections
 from fmu_build.codegen.contradicted_constants import contradicted_constants
 from fmu_build.codegen.leaking_modifiers import arrays_over_names, leaking_modifiers
 from fmu_build.codegen.lowered import LoweredModel
@@ -22,7 +21,6 @@ from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.codegen.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
 from fmu_build.codegen.modelica_source.text import inside_parentheses
-from fmu_build.codegen.record_constructors import mistaken_constructors
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 
@@ -66,8 +64,6 @@ def reject_lost_modifiers(model: LoweredModel) -> None:
         _nested_redeclarations,
         _modifiers_of_classes,
         values_over_members,
-        mistaken_constructors,
-        computed_connections,
         _modifiers_of_base_functions,
         changed_modifiers,
         changed_constants,

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from fmu_build.codegen.compiled import Span, expressions
+from fmu_build.codegen.computed_connections import computed_connections
 from fmu_build.codegen.connected_slices import reject_reordered_connections
 from fmu_build.codegen.lost_equations import reject_lost_equations
 from fmu_build.codegen.lost_modifiers import reject_lost_modifiers
@@ -15,6 +16,7 @@ from fmu_build.codegen.member_slices import reject_member_slices
 from fmu_build.codegen.mistaken_names import reject_mistaken_names
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.not_discrete import reject_continuous_definitions
+from fmu_build.codegen.record_constructors import mistaken_constructors
 from fmu_build.codegen.second_reading.check import reject_other_values
 
 
@@ -30,6 +32,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_repeated_samples(model)
     _reject_conditions_of_their_results(model)
     _reject_reordered_arguments(model)
+    _reject_found(model)
     reject_member_slices(model)
     reject_reordered_connections(model)
     reject_lost_modifiers(model)
@@ -37,6 +40,13 @@ def reject_unsupported(model: LoweredModel) -> None:
     reject_mistaken_names(model)
     reject_continuous_definitions(model)
     reject_other_values(model)
+
+
+def _reject_found(model: LoweredModel) -> None:
+    """Reject what is found in the source without regard to what rumoca made of it."""
+    for find in (mistaken_constructors, computed_connections):
+        for why, construct in find(model.classes):
+            raise model.unsupported_at(why, construct)
 
 
 def _reject_operators(model: LoweredModel) -> None:
