@@ -114,6 +114,6 @@ def _inherits_late(plain: str, inheritance: Inheritance) -> bool:
     """Return whether a class declares components before it inherits some."""
     for found in re.finditer(r"\bextends\b", plain):
         bases = {one for base, _ in extensions(plain[found.start() :]) for one in inheritance.ancestry(base)}
-        if any(component_clauses(plain[: found.start()])) and any(map(inheritance.declares, bases)):
+        if any(component_clauses(plain[: found.start()])) and any(map(inheritance.all_components, bases)):
             return True
     return False

@@ -96,14 +96,12 @@ def _require_other_side(record: Record, release_angle: float, displacement: pd.D
     if displacement.empty or displacement["value"].iloc[0] * release_angle <= 0.0:
         return
     time, value = displacement[["time", "value"]].iloc[0]
-    raise RecordError(
-        record.source,
-        "the release is not found: the first peak of the displacement is on the side of the release, "
-        f"{math.degrees(release_angle):+.3g} degrees",
+    raise _no_release(
+        record,
+        f"displacement is on the side of the release, {math.degrees(release_angle):+.3g} degrees",
         "release from a larger angle, or measure with less noise",
-        column="theta",
-        rows=[record.rows[int(np.argmin(np.abs(record.time - time)))]],
-        value=f"{math.degrees(value):+.3g} degrees at {time:.4g} s",
+        time,
+        f"{math.degrees(value):+.3g} degrees",
     )
 
 
@@ -113,15 +111,21 @@ def _require_release(record: Record, velocity: pd.DataFrame) -> None:
     allowed = _LOWER * float(np.linalg.norm(velocity["value_error"][:2]))
     if second - first <= allowed:
         return
-    time = float(velocity["time"].iloc[0])
-    raise RecordError(
-        record.source,
-        "the release is not found: the first peak of the velocity is lower than the second, "
-        f"{second:.3g} rad/s",
+    raise _no_release(
+        record,
+        f"velocity is lower than the second, {second:.3g} rad/s",
         "begin the record at rest before the release, and leave out what the hand does before",
-        column="theta",
-        rows=[record.rows[int(np.argmin(np.abs(record.time - time)))]],
-        value=f"{first:.3g} rad/s at {time:.4g} s",
+        float(velocity["time"].iloc[0]),
+        f"{first:.3g} rad/s",
+    )
+
+
+def _no_release(record: Record, what: str, advice: str, time: float, value: str) -> RecordError:
+    """Make the error for a first peak, at a time (s), that shows that the release was not found."""
+    reason = f"the release is not found: the first peak of the {what}"
+    rows = [record.rows[int(np.argmin(np.abs(record.time - time)))]]
+    return RecordError(
+        record.source, reason, advice, column="theta", rows=rows, value=f"{value} at {time:.4g} s"
     )
 
 

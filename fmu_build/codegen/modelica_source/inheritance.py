@@ -70,10 +70,6 @@ class Inheritance:
         """Return the components that the classes of this name declare themselves."""
         return self._components[name]
 
-    def declares(self, name: str) -> bool:
-        """Return whether the classes of this name declare components themselves."""
-        return bool(self._components[name])
-
     def components(self, name: str, component: str) -> Iterator[Component]:
         """Yield the declarations of a component in the classes of this name and their bases."""
         for one in self.ancestry(name):

@@ -50,7 +50,6 @@ class Leaf:
     """A variable of a predefined type."""
 
     given: Given
-    sizes: tuple[int, ...]
     is_constant: bool
     """Whether it is a parameter or a constant."""
     has_zero_start: bool
@@ -183,7 +182,8 @@ class Instances:
         sizes = tuple(self._size(tokens, path) for tokens in dimensions)
         whole = self._both(name, given, attributes)
         if kind in PREDEFINED.values() or kind.is_enumeration:
-            self._add_leaf(name, component, kind, Leaf(whole, sizes, *_nature(component, kind)))
+            is_constant = bool(component.prefixes & {"parameter", "constant"})
+            self._add_leaf(name, component, kind, Leaf(whole, is_constant, not kind.is_enumeration))
         elif not given.value and "expandable" not in kind.prefixes:
             if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
                 raise UnknownError
@@ -204,7 +204,7 @@ class Instances:
             if not other.type or other.around is None:
                 raise UnknownError
             return self._library.meaning(other.type, other.around), Given(inner=other.inner)
-        own = self._library.own(member.around, component.type)
+        own = self._library.element(member.around, component.type)
         return own or self._library.meaning(component.type, member.around), _NOTHING
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
@@ -270,11 +270,6 @@ _NOTHING: Final = Given()
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
-
-
-def _nature(component: Component, kind: Class) -> tuple[bool, bool]:
-    """Return whether a variable is a parameter or a constant, and whether its start value is usually zero."""
-    return bool(component.prefixes & {"parameter", "constant"}), not kind.is_enumeration
 
 
 def _joined(path: str, name: str) -> str:

@@ -49,15 +49,11 @@ class Library:
         first, *rest = name.split(".")
         return self._within(self._first(first, scope), rest)
 
-    def own(self, owner: Class, name: str) -> Class | None:
-        """Return the class that a class or a base of it declares, even if it is replaceable."""
-        return self._element(owner, name)
-
     def _first(self, name: str, scope: Class, *, inherited: bool = True) -> Class:
         found: Class | None = None
         around: Class | None = scope
         while around is not None and found is None:
-            found = self._element(around, name) if inherited else around.classes.get(name)
+            found = self.element(around, name) if inherited else around.classes.get(name)
             found = found or self._imported(around, name)
             if "encapsulated" in around.prefixes and found is None:
                 raise UnknownError
@@ -66,15 +62,15 @@ class Library:
 
     def _within(self, found: Class, names: Iterable[str]) -> Class:
         for name in names:
-            found = _certain(self._element(found, name))
+            found = _certain(self.element(found, name))
         return found
 
-    def _element(self, owner: Class, name: str) -> Class | None:
-        """Return the class that is declared in a class or its bases."""
+    def element(self, owner: Class, name: str) -> Class | None:
+        """Return the class that a class or a base of it declares, even if it is replaceable."""
         if name in owner.classes:
             return owner.classes[name]
         for base in self.bases(owner):
-            found = self._element(base, name)
+            found = self.element(base, name)
             if found is not None:
                 return found
         return None
