@@ -1,4 +1,4 @@
-"""The values of expressions of numbers, names, arrays and arithmetic; `UnknownError` for anything else."""
+"""The values of expressions of numbers, names and arrays; `UnknownError` for anything else."""
 
 from __future__ import annotations
 
@@ -10,6 +10,14 @@ from fmu_build.codegen.second_reading.syntax import Tokens
 
 Value: TypeAlias = "float | list[Value]"
 _SUM: Final = {"+": operator.add, "-": operator.sub}
+_RELATIONS: Final = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "<>": operator.ne,
+}
 _PRODUCT: Final = {"*": operator.mul, "/": operator.truediv}
 
 
@@ -25,7 +33,7 @@ def value_of(tokens: Tokens, look_up: Callable[[str], Value]) -> Value:
     """
     reader = _Reader(tokens, look_up)
     try:
-        found = reader.sum()
+        found = reader.logical()
     except (ArithmeticError, ValueError) as error:
         raise UnknownError from error
     if reader.here:
@@ -49,7 +57,33 @@ class _Reader:
         self._place += 1
         return self._tokens[self._place - 1]
 
-    def sum(self) -> Value:
+    def logical(self) -> Value:
+        found = self._conjunction()
+        while self.here == "or":
+            self._take()
+            found = float(bool(_number(found)) | bool(_number(self._conjunction())))
+        return found
+
+    def _conjunction(self) -> Value:
+        found = self._negation()
+        while self.here == "and":
+            self._take()
+            found = float(bool(_number(found)) & bool(_number(self._negation())))
+        return found
+
+    def _negation(self) -> Value:
+        if self.here != "not":
+            return self._relation()
+        self._take()
+        return float(not _number(self._relation()))
+
+    def _relation(self) -> Value:
+        found = self._sum()
+        if self.here in _RELATIONS:
+            found = float(_RELATIONS[self._take()](_number(found), _number(self._sum())))
+        return found
+
+    def _sum(self) -> Value:
         sign = self._take() if self.here in _SUM else ""
         found = self._product()
         if sign == "-":
@@ -81,7 +115,7 @@ class _Reader:
         if first in ("true", "false"):
             return float(first == "true")
         if first == "(":
-            found = self.sum()
+            found = self.logical()
             self._close(")")
             return found
         if first == "{":
@@ -91,10 +125,10 @@ class _Reader:
         raise UnknownError
 
     def _array(self) -> Value:
-        elements = [self.sum()]
+        elements = [self.logical()]
         while self.here == ",":
             self._take()
-            elements.append(self.sum())
+            elements.append(self.logical())
         self._close("}")
         return elements
 

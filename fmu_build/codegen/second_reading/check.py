@@ -13,11 +13,13 @@ from collections.abc import Iterator
 from contextlib import suppress
 from typing import Any, Final
 
-from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
+from fmu_build.codegen.second_reading.connections import mistaken_connections
+from fmu_build.codegen.second_reading.equations import mistaken_equations, mistaken_names
 from fmu_build.codegen.second_reading.instances import Given, Instances, Leaf
+from fmu_build.codegen.second_reading.packages import mistaken_packages
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 
@@ -36,7 +38,8 @@ def reject_other_values(model: LoweredModel) -> None:
         UnsupportedModelError: a modifier is lost or misplaced
     """
     try:
-        instances = Instances(Library(text for _, text in model.sources.values()), model.name)
+        library = Library(text for _, text in model.sources.values())
+        instances = Instances(library, model.name)
     except (SyntaxError, UnknownError):
         return  # The checks that look for single constructs remain.
     for mistake, name in instances.mistakes:
@@ -55,6 +58,16 @@ def reject_other_values(model: LoweredModel) -> None:
                 "another variable with this name; declare the value in a class of its own",
                 variable["declaration"]["span"],
             )
+    for difference, span in mistaken_equations(model, instances):
+        raise model.unsupported(
+            f"{difference}: the compiler has misread the class; write it another way", span
+        )
+    for difference, span in mistaken_packages(model, library):
+        raise model.unsupported(
+            f"{difference}: the compiler looks up the name in the wrong class; write its full name", span
+        )
+    for difference in mistaken_connections(model, instances):
+        raise model.unsupported(f"{difference}: the compiler has misread a connection; write it another way")
 
 
 def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
@@ -99,25 +112,8 @@ def _in_equation(model: LoweredModel, instances: Instances, name: str) -> Iterat
         text = model.text(content["span"])
         if not _contains(given.value, tuple(TOKEN.findall(blanked(text)))):
             yield f"the equation is {text} instead of {' '.join(given.value)}"
-        yield from _mistaken_names(model, instances, given.scope, binding)
-
-
-def _mistaken_names(
-    model: LoweredModel, instances: Instances, scope: str, binding: dict[str, Any]
-) -> Iterator[str]:
-    """Yield names in an equation that rumoca takes for variables of another component than `scope`."""
-    ((_, content),) = binding.items()
-    iterators = _ITERATOR.findall(model.text(content["span"]))
-    for reference in expressions(binding, "VarRef"):
-        written = _SUBSCRIPTS.sub("", model.text(reference["span"]))
-        first = written.partition(".")[0]
-        if first not in iterators and first in instances.members(scope):
-            meant = _SUBSCRIPTS.sub("", f"{scope}.{written}" if scope else written)
-            found = _SUBSCRIPTS.sub("", reference["name"]["name"])
-            # It may go on with a member of a record, or be followed by one.
-            is_meant = f"{found}.".startswith(f"{meant}.") or f"{meant}.".startswith(f"{found}.")
-            if not is_meant and not instances.is_through_outer(meant):
-                yield f"{written} means {found} instead of {meant}"
+        if given.scope is not None:
+            yield from mistaken_names(model, instances, given.scope, binding)
 
 
 def _contains(whole: Tokens, part: Tokens) -> bool:

@@ -17,8 +17,8 @@ from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, val
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
 
-#: The scope of the modifiers of a short class, which are evaluated around it.
-_AROUND: Final = ".."
+#: The path for the modifiers of a short class, which have no component around them.
+_NOWHERE: Final = ".."
 _SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
@@ -26,15 +26,23 @@ _DEEPEST: Final = 50
 
 
 @dataclass(frozen=True, slots=True)
+class Scope:
+    """Where an expression stands: the path of a component, and the class of it, or a base of that."""
+
+    path: str
+    around: Class
+
+
+@dataclass(frozen=True, slots=True)
 class Given:
-    """What a name is given, and where: `scope` is the path of the component in which its value is evaluated.
+    """What a name is given, and the scope of its value.
 
     `type` is that of a redeclaration in the class `around`, else empty.
     Of an array for the elements of an array of components, `place` selects those of this component.
     """
 
     value: Tokens = ()
-    scope: str = ""
+    scope: Scope | None = None
     inner: Mapping[str, Given] = field(default_factory=dict)
     each: bool = False
     final: bool = False
@@ -50,10 +58,23 @@ class Leaf:
     """A variable of a predefined type."""
 
     given: Given
-    is_constant: bool
-    """Whether it is a parameter or a constant."""
+    prefixes: frozenset[str]
     has_zero_start: bool
     """Whether its start value is zero unless it is given another one."""
+    sizes: tuple[int, ...]
+
+    @property
+    def is_constant(self) -> bool:
+        """Whether it is a parameter or a constant."""
+        return bool(self.prefixes & {"parameter", "constant"})
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The model, or a component of it that is no variable: the classes with its equations, and its kind."""
+
+    classes: tuple[Class, ...]
+    kind: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,12 +99,18 @@ class Instances:
 
     Attributes:
         leaves: by path, as ``a.b[2].c``; an array of a predefined type is one
+        parts: the other components by path, with the subscripts of arrays; the path of the model is empty
+        sizes: of all components, by path; the last name has no subscripts
+        absent: the paths of components whose conditions are false
         mistakes: what is invalid in the modifiers, each with the name that it is about
     """
 
     def __init__(self, library: Library, model: str) -> None:
         """Raises `UnknownError` if the library does not have the model."""
         self.leaves: dict[str, Leaf] = {}
+        self.parts: dict[str, Part] = {}
+        self.sizes: dict[str, tuple[int, ...]] = {}
+        self.absent: set[str] = set()
         self.mistakes: list[tuple[str, str]] = []
         self._library = library
         self._members: dict[str, set[str]] = {}
@@ -99,11 +126,24 @@ class Instances:
         """Return whether a path without subscripts goes through an outer component."""
         return any(f"{path}.".startswith(f"{outer}.") for outer in self._outer)
 
+    def may_be_outer(self, path: str) -> bool:
+        """Return whether an outer component has the name of this one, which may be the inner one."""
+        name = _SUBSCRIPTS.sub("", path).rpartition(".")[2]
+        return any(outer.rpartition(".")[2] == name for outer in self._outer)
+
+    def means_member(self, name: str, scope: Scope) -> bool:
+        """Return whether a name means a variable or component of the component in which it stands.
+
+        Raises `UnknownError` if the bases of the class are not known.
+        """
+        first = name.partition(".")[0].partition("[")[0]
+        return first in self._library.components(scope.around) and first in self.members(scope.path)
+
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
-        if not given.value:
+        if not given.value or given.scope is None:
             raise UnknownError
-        found = value_of(given.value, lambda name: self._named(name, given.scope))
+        found = self.value_of(given.value, given.scope)
         for place in given.place:
             if isinstance(found, list):
                 if place >= len(found):
@@ -111,11 +151,22 @@ class Instances:
                 found = found[place]
         return found
 
-    def _named(self, name: str, scope: str) -> Value:
-        first = name.partition(".")[0].partition("[")[0]
-        if first not in self.members(scope):
+    def value_of(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> Value:
+        """Return the value of an expression; raises `UnknownError` if it is not known."""
+        known = iterators or {}
+        return value_of(tokens, lambda name: known[name] if name in known else self._named(name, scope))
+
+    def number(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> float:
+        """Return the value of a scalar; raises `UnknownError` if it is not known."""
+        found = self.value_of(tokens, scope, iterators)
+        if isinstance(found, list):
             raise UnknownError
-        path = f"{scope}.{name}" if scope else name
+        return found
+
+    def _named(self, name: str, scope: Scope) -> Value:
+        if scope.path == _NOWHERE or not self.means_member(name, scope):
+            return self._library.constant(name, scope.around)
+        path = _joined(scope.path, name)
         leaf = self.leaves.get(path)
         if leaf is None or not leaf.is_constant or path in self._evaluating:
             raise UnknownError
@@ -139,10 +190,14 @@ class Instances:
         self._outer |= {_SUBSCRIPTS.sub("", _joined(path, name)) for name in outer}
         if not is_known:
             return
+        with suppress(UnknownError):
+            self.parts[path] = Part(tuple(self._library.lineage(owner)), owner.kind)
         self._check_names(path, owner, given, names)
         self._check_repeated(path, members)
-        # The sizes of arrays depend on variables without one.
-        for member in sorted(members, key=lambda one: bool(one.component.dimensions)):
+        # Sizes and conditions depend on variables without them.
+        for member in sorted(
+            members, key=lambda one: bool(one.component.dimensions or one.component.condition)
+        ):
             with suppress(UnknownError):
                 self._component(path, member, depth)
 
@@ -156,34 +211,38 @@ class Instances:
             base = self._library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = _inner(modifier, _AROUND if owner.is_short else path, owner)
+            inner = _inner(modifier, Scope(_NOWHERE if owner.is_short else path, owner))
             all_given = self._merged(path, all_given, inner)
             inherited = list(self._components(path, base, self._merged(path, given, inner)))
             self._check_names(path, base, inner, {one.component.name for one in inherited})
             yield from (one for one in inherited if one.component.name not in redeclared)
         for component in owner.components:
-            own = _given(component.modifier, path, owner)
+            own = _given(component.modifier, Scope(path, owner))
             whole = self._both(_joined(path, component.name), given.get(component.name), own)
             yield _Member(component, owner, whole, all_given)
 
     def _component(self, path: str, member: _Member, depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""
         component, given = member.component, member.given
-        if given.redeclares or component.is_conditional or component.prefixes & {"outer", "redeclare"}:
-            return
         name = _joined(path, component.name)
+        scope = Scope(path, member.around)
+        if component.condition and not self.number(component.condition, scope):
+            self.absent.add(name)
+        if given.redeclares or name in self.absent or component.prefixes & {"outer", "redeclare"}:
+            return
         kind, attributes = self._kind(member)
         dimensions = component.dimensions
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            attributes = self._both(name, attributes, _given(modifier, _AROUND, kind))
+            attributes = self._both(name, attributes, _given(modifier, Scope(_NOWHERE, kind)))
             dimensions += kind.dimensions
             kind = self._library.base(kind, base)
-        sizes = tuple(self._size(tokens, path) for tokens in dimensions)
+        sizes = tuple(self._size(tokens, scope) for tokens in dimensions)
+        self.sizes[name] = sizes
         whole = self._both(name, given, attributes)
         if kind in PREDEFINED.values() or kind.is_enumeration:
-            is_constant = bool(component.prefixes & {"parameter", "constant"})
-            self._add_leaf(name, component, kind, Leaf(whole, is_constant, not kind.is_enumeration))
+            leaf = Leaf(whole, component.prefixes, not kind.is_enumeration, sizes)
+            self._add_leaf(name, component, kind, leaf)
         elif not given.value and "expandable" not in kind.prefixes:
             if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
                 raise UnknownError
@@ -215,9 +274,9 @@ class Instances:
             self.mistakes.append((f"{name} has no attribute {attribute}", attribute))
         self.leaves[name] = leaf
 
-    def _size(self, tokens: Tokens, path: str) -> int:
-        size = value_of(tokens, lambda name: self._named(name, path))
-        if isinstance(size, list) or size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
+    def _size(self, tokens: Tokens, scope: Scope) -> int:
+        size = self.number(tokens, scope)
+        if size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
             raise UnknownError
         return int(size)
 
@@ -276,22 +335,22 @@ def _joined(path: str, name: str) -> str:
     return f"{path}.{name}" if path else name
 
 
-def _given(modifier: Modifier, scope: str, around: Class) -> Given:
-    """Return what a modifier gives that is written in a class, for a component of it at the path `scope`."""
+def _given(modifier: Modifier, scope: Scope) -> Given:
+    """Return what a modifier gives that stands in a scope."""
     return Given(
         value=modifier.value,
         scope=scope,
-        inner=_inner(modifier, scope, around),
+        inner=_inner(modifier, scope),
         each=modifier.each,
         final=modifier.final,
         type=modifier.type,
-        around=around,
+        around=scope.around,
         redeclares=modifier.redeclares,
     )
 
 
-def _inner(modifier: Modifier, scope: str, around: Class) -> dict[str, Given]:
-    return {name: _given(one, scope, around) for name, one in modifier.inner.items()}
+def _inner(modifier: Modifier, scope: Scope) -> dict[str, Given]:
+    return {name: _given(one, scope) for name, one in modifier.inner.items()}
 
 
 def _element(given: Given, places: tuple[int, ...], *, is_inner: bool = False) -> Given:

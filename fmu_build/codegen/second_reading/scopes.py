@@ -1,12 +1,12 @@
-"""The classes of a model's libraries by name, and the class that a name means where it stands."""
+"""The classes of a model's libraries by name, and the class or constant that a name means where it stands."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Final
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.syntax import Class, read_classes
+from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
+from fmu_build.codegen.second_reading.syntax import Class, Component, read_classes
 
 PREDEFINED: Final = {
     name: Class(name, "type", None) for name in ("Real", "Integer", "Boolean", "String", "Clock")
@@ -17,15 +17,17 @@ class Library:
     """All classes of some source texts."""
 
     def __init__(self, texts: Iterable[str]) -> None:
-        """Read the classes; raises `SyntaxError` if one cannot be read."""
+        """Read the classes; raises `SyntaxError` if one cannot be read. Files are numbered as the texts."""
         self._root = Class("", "package", None)
-        found = [one for text in texts for one in read_classes(text)]
+        found = [one for number, text in enumerate(texts) for one in read_classes(text, number)]
         for within, one in sorted(found, key=lambda pair: pair[0].count(".") + bool(pair[0])):
             around = self._root
             for part in filter(None, within.split(".")):
                 around = around.classes.setdefault(part, Class(part, "package", around, is_certain=False))
             one.around = around
             around.classes[one.name] = one
+        self._components: dict[int, Mapping[str, tuple[Class, Component]]] = {}
+        self._evaluating: set[tuple[int, str]] = set()
 
     def class_of(self, qualified: str) -> Class:
         """Return the class with a qualified name; raises `UnknownError` if there is none."""
@@ -35,6 +37,16 @@ class Library:
                 raise UnknownError
             found = found.classes[part]
         return found
+
+    def class_at(self, file: int, offset: int) -> Class:
+        """Return the innermost class around an offset into a file; raises `UnknownError` if there is none."""
+        inner = [self._root]
+        while inner:
+            found = inner.pop()
+            if found.contains(file, offset):
+                return found
+            inner += found.classes.values()
+        raise UnknownError
 
     def meaning(self, name: str, scope: Class) -> Class:
         """Return the class that a name means in a class.
@@ -79,6 +91,64 @@ class Library:
         """Yield the base classes of a class; raises `UnknownError` where one is not known."""
         for name, _ in owner.bases:
             yield self.base(owner, name)
+
+    def components(self, owner: Class) -> Mapping[str, tuple[Class, Component]]:
+        """Return the components of a class by name, each with the class that declares it, perhaps a base.
+
+        Raises `UnknownError` if a base is not known.
+        """
+        if id(owner) not in self._components:
+            classes = reversed([*self.lineage(owner)])
+            self._components[id(owner)] = {
+                component.name: (one, component) for one in classes for component in one.components
+            }
+        return self._components[id(owner)]
+
+    def constant(self, name: str, scope: Class) -> Value:
+        """Return the value of a constant of a package that a name means in a class.
+
+        Raises `UnknownError` if it means something else, or the value is not known.
+        """
+        *path, last = name.removeprefix(".").split(".")
+        if name.startswith("."):
+            return self._constant_of(last, self.class_of(".".join(path)))
+        if path:
+            return self._constant_of(last, self.meaning(".".join(path), scope))
+        around: Class | None = scope
+        while around is not None:
+            if last in self.components(around):
+                return self._constant_of(last, around)
+            for known, qualified in around.imports:
+                if known == last:
+                    return self.constant(f".{qualified}", scope)
+                if known == "*" and last in self.components(self.class_of(qualified)):
+                    return self.constant(f".{qualified}.{last}", scope)
+            if "encapsulated" in around.prefixes:
+                break
+            around = around.around
+        raise UnknownError
+
+    def _constant_of(self, name: str, owner: Class) -> Value:
+        around, component = self.components(owner).get(name, (owner, None))
+        is_modified = any(modifier.inner for one in self.lineage(owner) for _, modifier in one.bases)
+        key = (id(around), name)
+        if component is None or owner.kind != "package" or is_modified or key in self._evaluating:
+            raise UnknownError
+        if "constant" not in component.prefixes or component.prefixes & {"replaceable", "redeclare"}:
+            raise UnknownError
+        self._evaluating.add(key)
+        try:
+            return value_of(component.modifier.value, lambda one: self.constant(one, around))
+        finally:
+            self._evaluating.discard(key)
+
+    def lineage(self, owner: Class) -> Iterator[Class]:
+        """Yield a class and all its bases; raises `UnknownError` where one is not known."""
+        if not owner.is_certain:
+            raise UnknownError
+        yield owner
+        for base in self.bases(owner):
+            yield from self.lineage(base)
 
     def base(self, owner: Class, name: str) -> Class:
         """Return the base class of this name, which is not searched among what is inherited."""

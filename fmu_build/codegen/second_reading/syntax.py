@@ -1,7 +1,6 @@
-"""The classes of Modelica source as trees: elements, modifiers, and expressions as tokens.
+"""The classes of Modelica source as trees: elements, modifiers, and expressions and equations as tokens.
 
-Equations and algorithms are skipped. What is not understood becomes an element of kind "unknown", so that
-nothing is concluded from it.
+A class that is not understood is not certain, so that nothing is concluded from it.
 """
 
 from __future__ import annotations
@@ -64,8 +63,17 @@ class Component:
     dimensions: tuple[Tokens, ...]
     prefixes: frozenset[str]
     modifier: Modifier
-    is_conditional: bool = False
+    condition: Tokens = ()
     is_constrained: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A section of equations; `places` are the offsets of the tokens, with the end of the last one."""
+
+    tokens: Tokens
+    places: tuple[int, ...]
+    is_initial: bool
 
 
 @dataclass(slots=True)
@@ -73,6 +81,7 @@ class Class:
     """A class: its own elements in their order, and the classes declared in it.
 
     Attributes:
+        file: the number of the text in which it stands, from the offset `start` to `end`
         bases: names of base classes with their modifiers; for a short class, the class that it stands for
         dimensions: subscripts of the class for which a short class stands
         imports: qualified names by the name under which they are known; "*" for unqualified imports
@@ -88,14 +97,30 @@ class Class:
     classes: dict[str, Class] = field(default_factory=dict)
     imports: list[tuple[str, str]] = field(default_factory=list)
     dimensions: tuple[Tokens, ...] = ()
+    sections: list[Section] = field(default_factory=list)
+    file: int = 0
+    start: int = 0
+    end: int = 0
     is_short: bool = False
     is_enumeration: bool = False
     is_certain: bool = True
 
+    @property
+    def qualified(self) -> str:
+        """Its name with those of the classes around it."""
+        around = self.around.qualified if self.around is not None else ""
+        return f"{around}.{self.name}" if around else self.name
 
-def read_classes(text: str) -> Iterator[tuple[str, Class]]:
+    def contains(self, file: int, offset: int) -> bool:
+        """Return whether something at an offset into a file stands in it, and in no class inside."""
+        if file != self.file or not self.start <= offset < self.end:
+            return False
+        return not any(one.start <= offset < one.end for one in self.classes.values())
+
+
+def read_classes(text: str, file: int = 0) -> Iterator[tuple[str, Class]]:
     """Yield the classes of a file with the package that it is within; raises `SyntaxError` if it cannot."""
-    parser = _Parser(TOKEN.findall(blanked(text)))
+    parser = _Parser(blanked(text), file)
     within = parser.within()
     while parser.here:
         found = parser.class_or_none(
@@ -108,8 +133,11 @@ def read_classes(text: str) -> Iterator[tuple[str, Class]]:
 
 
 class _Parser:
-    def __init__(self, tokens: list[str]) -> None:
-        self._tokens = tokens
+    def __init__(self, plain: str, file: int) -> None:
+        found = list(TOKEN.finditer(plain))
+        self._tokens = [token.group() for token in found]
+        self._places = [token.start() for token in found] + [len(plain)]
+        self._file = file
         self._place = 0
 
     @property
@@ -173,17 +201,21 @@ class _Parser:
     def class_or_none(self, around: Class | None, prefixes: frozenset[str]) -> Class | None:
         if self.here not in _KINDS:
             return None
+        start = self._places[self._place]
         kind = self.take()
         while self.here in _KINDS:  # operator record
             kind = self.take()
         extends = self.take_if("extends")
-        found = Class(self.take(), kind, around, prefixes, is_certain=not extends)
+        found = Class(
+            self.take(), kind, around, prefixes, file=self._file, start=start, is_certain=not extends
+        )
         if self.here == "(":
             self._balanced()
         if self.take_if("="):
             self._short(found)
         else:
             self._composition(found)
+        found.end = self._places[self._place]
         return found
 
     def _short(self, found: Class) -> None:
@@ -213,7 +245,7 @@ class _Parser:
             if self.here in ("public", "protected"):
                 self.take()
             elif self.here in _SECTIONS:
-                self._skip_section(found.name)
+                self._section(found)
             elif self.here == "annotation":
                 self.skip_to_semicolon()
             else:
@@ -221,9 +253,19 @@ class _Parser:
                 if self.here == "annotation" or not self.take_if(";"):
                     self.skip_to_semicolon()
 
-    def _skip_section(self, name: str) -> None:
-        while self.here not in ("public", "protected") and (self.here, self.ahead(1)) != ("end", name):
+    def _section(self, owner: Class) -> None:
+        is_initial = self.take_if("initial")
+        is_of_equations = self.take() == "equation"
+        first = self._place
+        while not self._is_next_section() and (self.here, self.ahead(1)) != ("end", owner.name):
             self._balanced()
+        if is_of_equations:
+            tokens, places = self._tokens[first : self._place], self._places[first : self._place + 1]
+            owner.sections.append(Section(tuple(tokens), tuple(places), is_initial))
+
+    def _is_next_section(self) -> bool:
+        is_call = self.here == "initial" and self.ahead(1) == "("
+        return self.here in _SECTIONS | {"public", "protected"} and not is_call
 
     def _element(self, owner: Class) -> None:
         if self.take_if("import"):
@@ -260,13 +302,13 @@ class _Parser:
             own = self._subscripts()
             inner = self._arguments() if self.here == "(" else {}
             value = self._expression() if self.take_if("=") or self.take_if(":=") else ()
-            is_conditional = self.here == "if"
+            condition = self._expression() if self.take_if("if") else ()
             modifier = Modifier(value, inner, final="final" in prefixes)
             is_constrained = False
             while self.here not in (",", ";"):
                 is_constrained |= self._balanced() == ("constrainedby",)
             owner.components.append(
-                Component(name, kind, own + common, prefixes, modifier, is_conditional, is_constrained)
+                Component(name, kind, own + common, prefixes, modifier, condition, is_constrained)
             )
             if not self.take_if(","):
                 return

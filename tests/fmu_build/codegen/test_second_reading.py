@@ -69,13 +69,14 @@ def test_types_sizes_and_imports() -> None:
             parameter Integer n = 2;
             T.Small x(min = 0);
             T.Angle v[n](start = {5, 6});
-            A2 b[n - 1](c = -2^2*(1 - 0.5e1)) if true;
+            A2 b[n - 1](c = -2^2*(1 - 0.5e1)) if n > 1 and not (n == 4 or n <> 3);
+            A2 d if n <= 2;
           end A;
           model A2 parameter Real c = 1; end A2;
         end Q;
         model M
           extends Q.A(n = 3, v(start = {7, 8, 9}));
-        end M;""") == {"n": 3.0, "x": 4.0, "v": [7.0, 8.0, 9.0]}  # b is conditional
+        end M;""") == {"n": 3.0, "x": 4.0, "v": [7.0, 8.0, 9.0], "b[1].c": 16.0, "b[2].c": 16.0}
 
 
 def test_each() -> None:

@@ -1,0 +1,88 @@
+"""Compare the functions and the constants of packages that rumoca finds with those that names mean.
+
+A name of a function is looked up in the classes around it, as a constant of a package is (Modelica 3.6,
+section 5.3); rumoca writes the value of the latter in the place of the name.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from typing import Any, Final
+
+from fmu_build.codegen.compiled import Span, expressions
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
+from fmu_build.codegen.second_reading.syntax import Class
+
+_TREES: Final = ("equations", "initial_equations", "when_chains", "algorithms", "initial_algorithms")
+NAME: Final = re.compile(r"\.?[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*")
+_ROUNDING: Final = 1e-9
+
+
+def mistaken_packages(model: LoweredModel, library: Library) -> Iterator[tuple[str, Span]]:
+    """Yield functions and constants that are not what their names mean, and where the names stand."""
+    bindings = [one.get("binding") for one in model.flat["variables"].values()]
+    trees = [*(model.flat[name] for name in _TREES), bindings, model.flat["functions"]]
+    numbers = {source: number for number, source in enumerate(model.sources)}
+    for tree in trees:
+        for call in expressions(tree, "FunctionCall"):
+            yield from _call(model, library, numbers, call)
+        for literal in expressions(tree, "Literal"):
+            yield from _literal(model, library, numbers, literal)
+
+
+def _call(
+    model: LoweredModel, library: Library, numbers: dict[int, int], call: dict[str, Any]
+) -> Iterator[tuple[str, Span]]:
+    span, called = call["span"], call.get("name", {}).get("name")  # not of a call that is a statement
+    written = NAME.match(model.text(span)) if span["source"] in numbers else None
+    if written is not None and called is not None:
+        with suppress(UnknownError):
+            meant = _plain(library, library.meaning(written[0], _around(model, library, numbers, span)))
+            found = model.flat["functions"].get(called)
+            if meant.kind == "function" and found is not None:
+                other = _plain(library, _around(model, library, numbers, found["span"]))
+                if other.kind == "function" and other is not meant:
+                    yield f"{written[0]} means {other.qualified} instead of {meant.qualified}", span
+
+
+def _plain(library: Library, found: Class) -> Class:
+    """Return the class for which a short class stands."""
+    while found.is_short and found not in PREDEFINED.values():
+        ((name, modifier),) = found.bases
+        if modifier.inner:
+            raise UnknownError
+        found = library.base(found, name)
+    return found
+
+
+def is_iterator(model: LoweredModel, around: Class, name: str) -> bool:
+    """Return whether a name may be that of an iterator somewhere in a class."""
+    text = list(model.sources.values())[around.file][1][around.start : around.end]
+    return re.search(rf"(?:\bfor|,)\s*{name}\s+in\b", text) is not None
+
+
+def _literal(
+    model: LoweredModel, library: Library, numbers: dict[int, int], literal: dict[str, Any]
+) -> Iterator[tuple[str, Span]]:
+    span, value = literal["span"], next(iter(literal["value"].values()))
+    if isinstance(value, str) or span["source"] not in numbers:
+        return
+    written = model.text(span)
+    if NAME.fullmatch(written) and written not in ("true", "false"):
+        with suppress(UnknownError):
+            around = _around(model, library, numbers, span)
+            meant = library.constant(written, around)
+            is_same = isinstance(meant, list) or math.isclose(meant, value, rel_tol=_ROUNDING)
+            if not is_same and not is_iterator(model, around, written):
+                yield f"{written} is {value:g} instead of {meant:g}", span
+
+
+def _around(model: LoweredModel, library: Library, numbers: dict[int, int], span: Span) -> Class:
+    if span["source"] not in numbers:
+        raise UnknownError
+    return library.class_at(numbers[span["source"]], model.offset(span))
