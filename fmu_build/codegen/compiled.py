@@ -50,10 +50,24 @@ class CompiledModel:
 
     def text(self, span: Span) -> str:
         """Return the source text of a span."""
-        return self.sources[span["source"]][1].encode()[span["start"] : span["end"]].decode()
+        text = self.sources[span["source"]][1]
+        if text.isascii():
+            return text[span["start"] : span["end"]]
+        return text.encode()[span["start"] : span["end"]].decode()
+
+    def span(self, source: int, start: int, end: int) -> Span:
+        """Return the span between two positions in the text of a file."""
+        text = self.sources[source][1]
+        return {
+            "source": source,
+            "start": len(text[:start].encode()),
+            "end": len(text[:end].encode()),
+        }
 
     def offset(self, span: Span) -> int:
         """Return the position of a span's first character in the text of its file."""
+        if self.sources[span["source"]][1].isascii():
+            return span["start"]
         return len(self.sources[span["source"]][1].encode()[: span["start"]].decode(errors="ignore"))
 
     def place(self, span: Span | None) -> Place | None:

@@ -104,8 +104,7 @@ class _Source:
 
     def span(self, one: IfEquation | Call) -> Span:
         """Return the bytes of an equation."""
-        start, end = self._bytes(one.start, one.end)
-        return {"source": self.number, "start": start, "end": end}
+        return self.model.span(self.number, one.start, one.end)
 
     def instances(self, place: int, read: Sequence[str]) -> set[str]:
         """Return the prefixes of the variables of the instances of the class around, such as ``motor.``.

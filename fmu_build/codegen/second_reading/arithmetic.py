@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 import operator
-from collections.abc import Callable
-from typing import Final, TypeAlias
+from collections.abc import Callable, Iterator, Sequence
+from typing import Final, Protocol, TypeAlias
 
 from fmu_build.codegen.second_reading.syntax import Tokens
 
 Value: TypeAlias = "float | list[Value]"
-_SUM: Final = {"+": operator.add, "-": operator.sub}
-_RELATIONS: Final = {
+_Operation: TypeAlias = Callable[[float, float], float]
+_SUM: Final[dict[str, _Operation]] = {"+": operator.add, "-": operator.sub}
+_RELATIONS: Final[dict[str, _Operation]] = {
     "<": operator.lt,
     "<=": operator.le,
     ">": operator.gt,
@@ -18,23 +20,57 @@ _RELATIONS: Final = {
     "==": operator.eq,
     "<>": operator.ne,
 }
-_PRODUCT: Final = {"*": operator.mul, "/": operator.truediv}
+_PRODUCT: Final[dict[str, _Operation]] = {"*": operator.mul, "/": operator.truediv}
+_FUNCTIONS: Final[dict[str, Callable[..., float]]] = {
+    "abs": abs,
+    "ceil": math.ceil,
+    "cos": math.cos,
+    "div": lambda a, b: math.trunc(a / b),
+    "exp": math.exp,
+    "floor": math.floor,
+    "integer": math.floor,
+    "log": math.log,
+    "mod": lambda a, b: a - math.floor(a / b) * b,
+    "rem": math.fmod,
+    "sin": math.sin,
+    "sqrt": math.sqrt,
+    "tan": math.tan,
+}
+_OF_ARRAYS: Final[dict[str, Callable[[Sequence[float]], float]]] = {
+    "max": max,
+    "min": min,
+    "product": math.prod,
+    "sum": sum,
+}
 
 
 class UnknownError(Exception):
     """The second reading does not know a value."""
 
 
-def value_of(tokens: Tokens, look_up: Callable[[str], Value]) -> Value:
-    """Return the value of an expression; `look_up` gives those of names.
+class Names(Protocol):
+    """What names mean in an expression; each method raises `UnknownError` if it is not known."""
+
+    def value(self, name: str) -> Value:
+        """Return the value of a parameter, constant or iterator."""
+
+    def sizes(self, name: str) -> Sequence[int]:
+        """Return the sizes of an array."""
+
+    def is_function(self, name: str) -> bool:
+        """Return whether the source declares a function of this name."""
+
+
+def value_of(tokens: Tokens, names: Names) -> Value:
+    """Return the value of an expression.
 
     Raises:
         UnknownError: it is not known
     """
-    reader = _Reader(tokens, look_up)
+    reader = _Reader(tokens, names)
     try:
-        found = reader.logical()
-    except (ArithmeticError, ValueError) as error:
+        found = reader.expression()
+    except (ArithmeticError, TypeError, ValueError) as error:
         raise UnknownError from error
     if reader.here:
         raise UnknownError
@@ -42,10 +78,10 @@ def value_of(tokens: Tokens, look_up: Callable[[str], Value]) -> Value:
 
 
 class _Reader:
-    def __init__(self, tokens: Tokens, look_up: Callable[[str], Value]) -> None:
+    def __init__(self, tokens: Tokens, names: Names) -> None:
         self._tokens = tokens
         self._place = 0
-        self._look_up = look_up
+        self._names = names
 
     @property
     def here(self) -> str:
@@ -57,7 +93,25 @@ class _Reader:
         self._place += 1
         return self._tokens[self._place - 1]
 
-    def logical(self) -> Value:
+    def _expect(self, token: str) -> None:
+        if self._take() != token:
+            raise UnknownError
+
+    def expression(self) -> Value:
+        if self.here not in ("if", "elseif"):
+            return self._logical()
+        self._take()
+        condition = self._logical()
+        self._expect("then")
+        chosen = self.expression()
+        if self.here == "elseif":
+            other = self.expression()
+        else:
+            self._expect("else")
+            other = self.expression()
+        return chosen if _number(condition) else other
+
+    def _logical(self) -> Value:
         found = self._conjunction()
         while self.here == "or":
             self._take()
@@ -87,15 +141,18 @@ class _Reader:
         sign = self._take() if self.here in _SUM else ""
         found = self._product()
         if sign == "-":
-            found = -_number(found)
+            found = _scaled(operator.mul, found, -1.0)
         while self.here in _SUM:
-            found = _SUM[self._take()](_number(found), _number(self._product()))
+            found = _elementwise(_SUM[self._take()], found, self._product())
         return found
 
     def _product(self) -> Value:
         found = self._power()
         while self.here in _PRODUCT:
-            found = _PRODUCT[self._take()](_number(found), _number(self._power()))
+            sign, other = self._take(), self._power()
+            if sign == "*" and not isinstance(found, list):
+                found, other = other, found
+            found = _scaled(_PRODUCT[sign], found, _number(other))
         return found
 
     def _power(self) -> Value:
@@ -115,24 +172,33 @@ class _Reader:
         if first in ("true", "false"):
             return float(first == "true")
         if first == "(":
-            found = self.logical()
-            self._close(")")
+            found = self.expression()
+            self._expect(")")
             return found
         if first == "{":
-            return self._array()
+            return self._list("}")
         if first[0].isalpha() or first[0] in "_'":
             return self._named(first)
         raise UnknownError
 
-    def _array(self) -> Value:
-        elements = [self.logical()]
+    def _list(self, end: str) -> list[Value]:
+        elements = [self.expression()]
         while self.here == ",":
             self._take()
-            elements.append(self.logical())
-        self._close("}")
+            elements.append(self.expression())
+        self._expect(end)
         return elements
 
-    def _named(self, name: str) -> Value:
+    def _named(self, first: str) -> Value:
+        name = self._name(first)
+        if self.here != "(":
+            return self._names.value(name)
+        self._take()
+        if self._names.is_function(name):
+            raise UnknownError
+        return self._size() if name == "size" else _called(name, self._list(")"))
+
+    def _name(self, name: str) -> str:
         while self.here in (".", "["):
             if self.here == "[":
                 name += self._take() + self._take()
@@ -141,13 +207,46 @@ class _Reader:
             name += self._take()
             if name[-1] == ".":
                 name += self._take()
-        if self.here == "(":
-            raise UnknownError
-        return self._look_up(name)
+        return name
 
-    def _close(self, bracket: str) -> None:
-        if self._take() != bracket:
+    def _size(self) -> Value:
+        sizes = self._names.sizes(self._name(self._take()))
+        if self.here == ")":
+            self._take()
+            return [float(size) for size in sizes]
+        self._expect(",")
+        (dimension,) = self._list(")")
+        if not 1 <= _number(dimension) <= len(sizes):
             raise UnknownError
+        return float(sizes[int(_number(dimension)) - 1])
+
+
+def _called(name: str, arguments: list[Value]) -> float:
+    if name in _OF_ARRAYS:
+        return float(_OF_ARRAYS[name](list(_flat(arguments))))
+    if name not in _FUNCTIONS:
+        raise UnknownError
+    return float(_FUNCTIONS[name](*map(_number, arguments)))
+
+
+def _flat(value: Value) -> Iterator[float]:
+    if isinstance(value, list):
+        for one in value:
+            yield from _flat(one)
+    else:
+        yield value
+
+
+def _scaled(operation: _Operation, value: Value, other: float) -> Value:
+    if isinstance(value, list):
+        return [_scaled(operation, one, other) for one in value]
+    return operation(value, other)
+
+
+def _elementwise(operation: _Operation, one: Value, other: Value) -> Value:
+    if isinstance(one, list) and isinstance(other, list):
+        return [_elementwise(operation, a, b) for a, b in zip(one, other, strict=True)]
+    return operation(_number(one), _number(other))
 
 
 def _number(value: Value) -> float:

@@ -14,7 +14,7 @@ from typing import Any, Generic, TypeVar
 
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.instances import Instances, Leaf, Scope
+from fmu_build.codegen.second_reading.instances import Instances, Leaf, Scope, around
 from fmu_build.codegen.second_reading.references import Elements, elements, points
 from fmu_build.codegen.second_reading.sections import Branches, Connection, Loop, Statement, statements
 
@@ -23,12 +23,11 @@ Flow = tuple[str, int]
 """A flow and its sign: +1 inside, -1 outside."""
 
 
-def mistaken_connections(model: LoweredModel, instances: Instances) -> Iterator[str]:
+def mistaken_connections(model: LoweredModel, meant: Connections) -> Iterator[str]:
     """Yield the equations of connections that differ from those of the source."""
     flat = model.flat["equations"]
     if any(model.flat[key] for key in ("branches", "optional_edges", "definite_roots", "potential_roots")):
         return  # Some equations of overdetermined connectors are left out.
-    meant = _Connections(instances)
     equal: _Sets[str] = _Sets()
     flows: set[frozenset[Flow]] = set()
     for one in flat:
@@ -46,7 +45,7 @@ def mistaken_connections(model: LoweredModel, instances: Instances) -> Iterator[
             yield f"{', '.join(sorted(group))} are connected otherwise in the source"
 
 
-def _other_flows(meant: _Connections, flows: Set[frozenset[Flow]]) -> Iterator[str]:
+def _other_flows(meant: Connections, flows: Set[frozenset[Flow]]) -> Iterator[str]:
     for one in flows ^ {_positive(one) for one in meant.flows()}:
         if all(meant.is_known(name) for name, _ in one):
             text = " + ".join(sorted(("-" if sign < 0 else "") + name for name, sign in one))
@@ -99,15 +98,17 @@ class _Sets(Generic[_T]):
         yield from map(frozenset, found.values())
 
 
-class _Connections:
+class Connections:
     """The connections of a model.
 
     Attributes:
         equal: sets of scalars that are equal
+        mistakes: connections that are invalid, each with the name that it is about
     """
 
     def __init__(self, instances: Instances) -> None:
         self.equal: _Sets[str] = _Sets()
+        self.mistakes: list[tuple[str, str]] = []
         self._flows: _Sets[Flow] = _Sets()
         self._instances = instances
         self._unclear: set[str] = set()
@@ -118,7 +119,7 @@ class _Connections:
                 continue
             for scalar in _of_leaf(name, leaf):
                 self._scalars[scalar] = name
-            for part in _around(name):
+            for part in around(name):
                 self._below[part].append(name)
         self._find_flows()
         for path, one in instances.parts.items():
@@ -143,17 +144,17 @@ class _Connections:
         name = self._scalars.get(scalar)
         if name is None:
             return False
-        around = ["", *_around(name)]
-        if any(one not in parts or self._instances.may_be_outer(one) for one in around):
+        outer = ["", *around(name)]
+        if any(one not in parts or self._instances.may_be_outer(one) for one in outer):
             return False
-        owners = [one for one in around if parts[one].kind != "connector"]
+        owners = [one for one in outer if parts[one].kind != "connector"]
         return not any(one in self._unclear for one in owners[-2:])
 
     def _find_flows(self) -> None:
         parts = self._instances.parts
         for name, leaf in self._instances.leaves.items():
             if "flow" in leaf.prefixes and any(
-                one in parts and parts[one].kind == "connector" for one in _around(name)
+                one in parts and parts[one].kind == "connector" for one in around(name)
             ):
                 for scalar in _of_leaf(name, leaf):
                     self._flows.root((scalar, 1))
@@ -188,6 +189,8 @@ class _Connections:
         for pair in zip(one.paths, other.paths, strict=True):
             inner = [self._variables(connector) for connector in pair]
             if inner[0].keys() != inner[1].keys():
+                if all(self._is_whole(connector) for connector in pair):
+                    self.mistakes.append((f"{pair[0]} and {pair[1]} have different variables", "connect"))
                 raise UnknownError
             for relative, first in inner[0].items():
                 second = inner[1][relative]
@@ -195,6 +198,13 @@ class _Connections:
                     self._flows.join((first, signs[0]), (second, signs[1]))
                 else:
                     self.equal.join(first, second)
+
+    def _is_whole(self, connector: str) -> bool:
+        """Return whether all variables of a connector are known."""
+        members = self._instances.members(connector)
+        return connector in self._scalars or all(
+            f"{connector}.{name}" in self._instances.sizes for name in members
+        )
 
     def _sign(self, first: str) -> int:
         part = self._instances.parts.get(first)
@@ -209,15 +219,6 @@ class _Connections:
         leaves = self._instances.leaves
         scalars = [one for name in self._below[connector] for one in _of_leaf(name, leaves[name])]
         return {one.removeprefix(connector): one for one in scalars}
-
-
-def _around(name: str) -> Iterator[str]:
-    """Yield the paths of the components around a variable, the outermost first."""
-    depth = 0
-    for place, letter in enumerate(name):
-        depth += (letter == "[") - (letter == "]")
-        if letter == "." and not depth:
-            yield name[:place]
 
 
 def _has_connections(one: Statement) -> bool:

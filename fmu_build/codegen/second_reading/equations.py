@@ -87,8 +87,12 @@ def _plain(name: str) -> str:
 
 def _mistaken_values(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
     """Yield numbers that rumoca has written for names of variables, if these have others."""
+    file = list(model.sources)[scope.around.file]
     for literal in expressions(tree, "Literal"):
-        written, value = model.text(literal["span"]), next(iter(literal["value"].values()))
+        span, value = literal["span"], next(iter(literal["value"].values()))
+        if span["source"] != file or not scope.around.contains(scope.around.file, model.offset(span)):
+            continue  # It stands in the declaration of a function or constant.
+        written = model.text(span)
         if NAME.fullmatch(written) and not isinstance(value, str):
             with suppress(UnknownError):
                 if instances.means_member(written, scope):
@@ -104,6 +108,7 @@ class _Comparison:
     def __init__(
         self, model: LoweredModel, instances: Instances, scope: Scope, found: Sequence[Mapping[str, Any]]
     ) -> None:
+        self._model = model
         self._instances = instances
         self._scope = scope
         self._file = list(model.sources)[scope.around.file]
@@ -125,7 +130,9 @@ class _Comparison:
             elif isinstance(one, Loop):
                 yield from self._loop(one)
             elif isinstance(one, Branches):
-                for inner in self._active(one, {}):
+                # Loops in branches have another place.
+                active = (inner for inner in self._active(one, {}) if not isinstance(inner, Loop))
+                for inner in active:
                     yield from self._in(inner)
 
     def _active(self, one: Branches, iterators: Mapping[str, float]) -> tuple[Statement, ...]:
@@ -141,7 +148,7 @@ class _Comparison:
             yield self._difference(f"the equation {' '.join(one.tokens)}{self._where} is lost", one.start)
 
     def _difference(self, what: str, start: int) -> Difference:
-        return what, {"source": self._file, "start": start, "end": start + 1}
+        return what, self._model.span(self._file, start, start + 1)
 
     @property
     def _where(self) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import itertools
 import math
 import re
-from collections.abc import Iterator, Mapping, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import Final
@@ -20,6 +20,8 @@ from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, 
 #: The path for the modifiers of a short class, which have no component around them.
 _NOWHERE: Final = ".."
 _SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
+#: Prefixes of a component that apply to the variables in it.
+_INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
@@ -94,6 +96,29 @@ class _Member:
     around_given: Mapping[str, Given]
 
 
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """What names mean in a scope with iterators."""
+
+    instances: Instances
+    scope: Scope
+    iterators: Mapping[str, float]
+
+    def value(self, name: str) -> Value:
+        return self.iterators[name] if name in self.iterators else self.instances.named(name, self.scope)
+
+    def sizes(self, name: str) -> Sequence[int]:
+        if self.scope.path == _NOWHERE or not self.instances.means_member(name, self.scope):
+            return self.instances.library.sizes(name, self.scope.around)
+        path = _joined(self.scope.path, name)
+        if path not in self.instances.sizes:
+            raise UnknownError
+        return self.instances.sizes[path]
+
+    def is_function(self, name: str) -> bool:
+        return self.instances.library.is_class(name, self.scope.around)
+
+
 class Instances:
     """The variables of a model.
 
@@ -110,13 +135,15 @@ class Instances:
         self.leaves: dict[str, Leaf] = {}
         self.parts: dict[str, Part] = {}
         self.sizes: dict[str, tuple[int, ...]] = {}
+        self._dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self.absent: set[str] = set()
         self.mistakes: list[tuple[str, str]] = []
-        self._library = library
+        self.library = library
         self._members: dict[str, set[str]] = {}
         self._evaluating: set[str] = set()
         self._outer: set[str] = set()
-        self._expand("", library.class_of(model), {}, 0)
+        self._nowhere = Scope(_NOWHERE, library.class_of(model))
+        self._expand("", self._nowhere.around, {}, frozenset(), 0)
 
     def members(self, path: str) -> Set[str]:
         """Return the names of the variables and components in a component; none if they are not known."""
@@ -131,19 +158,42 @@ class Instances:
         name = _SUBSCRIPTS.sub("", path).rpartition(".")[2]
         return any(outer.rpartition(".")[2] == name for outer in self._outer)
 
+    def n_dimensions(self, path: str) -> int:
+        """Return the number of dimensions of a component, even if its sizes are not known."""
+        return len(self._dimensions.get(path, ()))
+
+    def is_ambiguous_size(self, path: str) -> bool:
+        """Return whether a size of a component follows a qualified name that ends as a name of its class.
+
+        This is so in ``A a; parameter Integer n = 3; S s[a.n]``.
+        """
+        return any(self._is_ambiguous(*size, 0) for size in self._dimensions.get(path, ()))
+
+    def _is_ambiguous(self, tokens: Tokens, scope: Scope, depth: int) -> bool:
+        own = self.library.components(scope.around)
+        for before, token, after in zip(("", *tokens), tokens, (*tokens[1:], ""), strict=False):
+            if before == "." and after not in (".", "(") and token in own:
+                return True
+            leaf = self.leaves.get(_joined(scope.path, token))
+            is_plain = "." not in (before, after) and depth < _DEEPEST
+            given = leaf.given if leaf is not None and is_plain else _NOTHING
+            if given.scope is not None and self._is_ambiguous(given.value, given.scope, depth + 1):
+                return True
+        return False
+
     def means_member(self, name: str, scope: Scope) -> bool:
         """Return whether a name means a variable or component of the component in which it stands.
 
         Raises `UnknownError` if the bases of the class are not known.
         """
         first = name.partition(".")[0].partition("[")[0]
-        return first in self._library.components(scope.around) and first in self.members(scope.path)
+        return first in self.library.components(scope.around) and first in self.members(scope.path)
 
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
-        if not given.value or given.scope is None:
+        if not given.value:
             raise UnknownError
-        found = self.value_of(given.value, given.scope)
+        found = self.value_of(given.value, given.scope or self._nowhere)
         for place in given.place:
             if isinstance(found, list):
                 if place >= len(found):
@@ -153,8 +203,7 @@ class Instances:
 
     def value_of(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> Value:
         """Return the value of an expression; raises `UnknownError` if it is not known."""
-        known = iterators or {}
-        return value_of(tokens, lambda name: known[name] if name in known else self._named(name, scope))
+        return value_of(tokens, _Names(self, scope, iterators or {}))
 
     def number(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> float:
         """Return the value of a scalar; raises `UnknownError` if it is not known."""
@@ -163,9 +212,10 @@ class Instances:
             raise UnknownError
         return found
 
-    def _named(self, name: str, scope: Scope) -> Value:
+    def named(self, name: str, scope: Scope) -> Value:
+        """Return the value of a parameter or constant; raises `UnknownError` if it is not known."""
         if scope.path == _NOWHERE or not self.means_member(name, scope):
-            return self._library.constant(name, scope.around)
+            return self.library.constant(name, scope.around)
         path = _joined(scope.path, name)
         leaf = self.leaves.get(path)
         if leaf is None or not leaf.is_constant or path in self._evaluating:
@@ -176,8 +226,10 @@ class Instances:
         finally:
             self._evaluating.discard(path)
 
-    def _expand(self, path: str, owner: Class, given: Mapping[str, Given], depth: int) -> None:
-        """Find the variables in a component of a class."""
+    def _expand(
+        self, path: str, owner: Class, given: Mapping[str, Given], prefixes: frozenset[str], depth: int
+    ) -> None:
+        """Find the variables in a component of a class, to which the prefixes of the component apply."""
         members: list[_Member] = []
         is_known = depth < _DEEPEST
         try:
@@ -191,7 +243,7 @@ class Instances:
         if not is_known:
             return
         with suppress(UnknownError):
-            self.parts[path] = Part(tuple(self._library.lineage(owner)), owner.kind)
+            self.parts[path] = Part(tuple(self.library.lineage(owner)), owner.kind)
         self._check_names(path, owner, given, names)
         self._check_repeated(path, members)
         # Sizes and conditions depend on variables without them.
@@ -199,7 +251,7 @@ class Instances:
             members, key=lambda one: bool(one.component.dimensions or one.component.condition)
         ):
             with suppress(UnknownError):
-                self._component(path, member, depth)
+                self._component(path, member, prefixes, depth)
 
     def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[_Member]:
         """Yield the components of a class, inherited ones first."""
@@ -208,7 +260,7 @@ class Instances:
         redeclared = {one.name for one in owner.components if "redeclare" in one.prefixes}
         all_given = given
         for name, modifier in owner.bases:
-            base = self._library.base(owner, name)
+            base = self.library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
             inner = _inner(modifier, Scope(_NOWHERE if owner.is_short else path, owner))
@@ -221,7 +273,7 @@ class Instances:
             whole = self._both(_joined(path, component.name), given.get(component.name), own)
             yield _Member(component, owner, whole, all_given)
 
-    def _component(self, path: str, member: _Member, depth: int) -> None:
+    def _component(self, path: str, member: _Member, around: frozenset[str], depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""
         component, given = member.component, member.given
         name = _joined(path, component.name)
@@ -231,17 +283,19 @@ class Instances:
         if given.redeclares or name in self.absent or component.prefixes & {"outer", "redeclare"}:
             return
         kind, attributes = self._kind(member)
-        dimensions = component.dimensions
+        dimensions = [(tokens, scope) for tokens in component.dimensions]
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
             attributes = self._both(name, attributes, _given(modifier, Scope(_NOWHERE, kind)))
-            dimensions += kind.dimensions
-            kind = self._library.base(kind, base)
-        sizes = tuple(self._size(tokens, scope) for tokens in dimensions)
+            dimensions += [(tokens, Scope(_NOWHERE, kind)) for tokens in kind.dimensions]
+            kind = self.library.base(kind, base)
+        self._dimensions[name] = dimensions
+        sizes = tuple(self._size(tokens, where) for tokens, where in dimensions)
         self.sizes[name] = sizes
         whole = self._both(name, given, attributes)
+        prefixes = component.prefixes | (around & _INHERITED)
         if kind in PREDEFINED.values() or kind.is_enumeration:
-            leaf = Leaf(whole, component.prefixes, not kind.is_enumeration, sizes)
+            leaf = Leaf(whole, prefixes, not kind.is_enumeration, sizes)
             self._add_leaf(name, component, kind, leaf)
         elif not given.value and "expandable" not in kind.prefixes:
             if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
@@ -249,7 +303,7 @@ class Instances:
             for places in itertools.product(*map(range, sizes)):
                 subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
                 inner = {key: _element(one, places) for key, one in whole.inner.items()}
-                self._expand(name + subscripts, kind, inner, depth + 1)
+                self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
 
     def _kind(self, member: _Member) -> tuple[Class, Given]:
         """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""
@@ -257,14 +311,14 @@ class Instances:
         if given.type:
             if given.around is None or component.is_constrained:
                 raise UnknownError
-            return self._library.meaning(given.type, given.around), _NOTHING
+            return self.library.meaning(given.type, given.around), _NOTHING
         other = member.around_given.get(component.type)
         if other is not None:
             if not other.type or other.around is None:
                 raise UnknownError
-            return self._library.meaning(other.type, other.around), Given(inner=other.inner)
-        own = self._library.element(member.around, component.type)
-        return own or self._library.meaning(component.type, member.around), _NOTHING
+            return self.library.meaning(other.type, other.around), Given(inner=other.inner)
+        own = self.library.element(member.around, component.type)
+        return own or self.library.meaning(component.type, member.around), _NOTHING
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
@@ -310,9 +364,7 @@ class Instances:
                     self.mistakes.append((what, name))
 
     def _has_class(self, owner: Class, name: str) -> bool:
-        return name in owner.classes or any(
-            self._has_class(base, name) for base in self._library.bases(owner)
-        )
+        return name in owner.classes or any(self._has_class(base, name) for base in self.library.bases(owner))
 
     def _check_repeated(self, path: str, members: list[_Member]) -> None:
         first: dict[str, _Member] = {}
@@ -329,6 +381,15 @@ _NOTHING: Final = Given()
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
+
+
+def around(name: str) -> Iterator[str]:
+    """Yield the paths of the components around a variable, the outermost first."""
+    depth = 0
+    for place, letter in enumerate(name):
+        depth += (letter == "[") - (letter == "]")
+        if letter == "." and not depth:
+            yield name[:place]
 
 
 def _joined(path: str, name: str) -> str:

@@ -15,24 +15,58 @@ from typing import Any, Final
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class
 
-_TREES: Final = ("equations", "initial_equations", "when_chains", "algorithms", "initial_algorithms")
+_TREES: Final = ("initial_equations", "when_chains", "algorithms", "initial_algorithms")
 NAME: Final = re.compile(r"\.?[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*")
 _ROUNDING: Final = 1e-9
 
 
-def mistaken_packages(model: LoweredModel, library: Library) -> Iterator[tuple[str, Span]]:
-    """Yield functions and constants that are not what their names mean, and where the names stand."""
+def mistaken_packages(
+    model: LoweredModel, library: Library, instances: Instances
+) -> Iterator[tuple[str, Span]]:
+    """Yield functions, constants and variables that are not what their names mean, and where these stand."""
     bindings = [one.get("binding") for one in model.flat["variables"].values()]
-    trees = [*(model.flat[name] for name in _TREES), bindings, model.flat["functions"]]
     numbers = {source: number for number, source in enumerate(model.sources)}
-    for tree in trees:
+    # Connections have the places of declarations.
+    equations = [one for one in model.flat["equations"] if "ComponentEquation" in one["origin"]]
+    for tree in (equations, *(model.flat[name] for name in _TREES), bindings, model.flat["functions"]):
         for call in expressions(tree, "FunctionCall"):
             yield from _call(model, library, numbers, call)
         for literal in expressions(tree, "Literal"):
             yield from _literal(model, library, numbers, literal)
+        for reference in expressions(tree, "VarRef"):
+            is_local = tree is model.flat["functions"]
+            yield from _captured(model, library, numbers, reference, None if is_local else instances)
+
+
+def _captured(
+    model: LoweredModel,
+    library: Library,
+    numbers: dict[int, int],
+    reference: dict[str, Any],
+    instances: Instances | None,
+) -> Iterator[tuple[str, Span]]:
+    """Yield a name that means nothing in its class, but a component of the model, or a local of a function.
+
+    Modelica looks it up in the classes around its own, rumoca in the model or function that uses the class.
+    """
+    span, found = reference["span"], reference["name"]["name"]
+    first = NAME.match(model.text(span)) if span["source"] in numbers else None
+    if first is None or found in model.flat["enum_literal_ordinals"]:
+        return
+    name, head = first[0].partition(".")[0], re.split(r"[.\[]", found)[0]
+    is_component = "." not in found if instances is None else head in instances.members("")
+    with suppress(UnknownError):
+        around = _around(model, library, numbers, span)
+        while around.is_short and around.around is not None:
+            around = around.around
+        is_captured = is_component and name not in library.components(around) and name != "time"
+        if is_captured and not is_iterator(model, around, name):
+            whose = "the function that extends it" if instances is None else "the model"
+            yield f"{name}, which {around.name} does not declare, means the {found} of {whose}", span
 
 
 def _call(

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+import bisect
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
@@ -11,6 +15,10 @@ from fmu_build.codegen.second_reading.syntax import Class, Component, read_class
 PREDEFINED: Final = {
     name: Class(name, "type", None) for name in ("Real", "Integer", "Boolean", "String", "Clock")
 }
+
+
+class NotFoundError(UnknownError):
+    """No class has the name."""
 
 
 class Library:
@@ -38,15 +46,34 @@ class Library:
             found = found.classes[part]
         return found
 
-    def class_at(self, file: int, offset: int) -> Class:
-        """Return the innermost class around an offset into a file; raises `UnknownError` if there is none."""
-        inner = [self._root]
+    def classes(self) -> Iterator[Class]:
+        """Yield all classes."""
+        inner = [*self._root.classes.values()]
         while inner:
             found = inner.pop()
-            if found.contains(file, offset):
-                return found
+            yield found
             inner += found.classes.values()
-        raise UnknownError
+
+    def class_at(self, file: int, offset: int) -> Class:
+        """Return the innermost class around an offset into a file; raises `UnknownError` if there is none."""
+        starts, classes = self._places[file]
+        place = bisect.bisect_right(starts, offset) - 1
+        found = classes[place] if place >= 0 else None
+        while found is not None and not found.start <= offset < found.end:
+            found = found.around
+        if found is None:
+            raise UnknownError
+        return found
+
+    @cached_property
+    def _places(self) -> Mapping[int, tuple[list[int], list[Class]]]:
+        """The classes of each file in the order in which they begin, with their offsets."""
+        found = defaultdict(list)
+        for one in self.classes():
+            found[one.file].append(one)
+        for classes in found.values():
+            classes.sort(key=lambda one: one.start)
+        return {file: ([one.start for one in classes], classes) for file, classes in found.items()}
 
     def meaning(self, name: str, scope: Class) -> Class:
         """Return the class that a name means in a class.
@@ -70,6 +97,8 @@ class Library:
             if "encapsulated" in around.prefixes and found is None:
                 raise UnknownError
             around, inherited = around.around, True
+        if found is None:
+            raise NotFoundError
         return _certain(found)
 
     def _within(self, found: Class, names: Iterable[str]) -> Class:
@@ -128,6 +157,24 @@ class Library:
             around = around.around
         raise UnknownError
 
+    def sizes(self, name: str, scope: Class) -> list[int]:
+        """Return the sizes of a constant array; raises `UnknownError` if they are not known."""
+        value, found = self.constant(name, scope), []
+        while isinstance(value, list):
+            found.append(len(value))
+            value = value[0] if value else 0.0
+        return found
+
+    def is_class(self, name: str, scope: Class) -> bool:
+        """Return whether a name means a class, or may mean one."""
+        try:
+            self.meaning(name, scope)
+        except NotFoundError:
+            return False
+        except UnknownError:
+            return True
+        return True
+
     def _constant_of(self, name: str, owner: Class) -> Value:
         around, component = self.components(owner).get(name, (owner, None))
         is_modified = any(modifier.inner for one in self.lineage(owner) for _, modifier in one.bases)
@@ -138,7 +185,7 @@ class Library:
             raise UnknownError
         self._evaluating.add(key)
         try:
-            return value_of(component.modifier.value, lambda one: self.constant(one, around))
+            return value_of(component.modifier.value, _Names(self, around))
         finally:
             self._evaluating.discard(key)
 
@@ -177,3 +224,20 @@ def _certain(found: Class | None) -> Class:
     if found is None or "replaceable" in found.prefixes:
         raise UnknownError
     return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """What names mean in the declaration of a constant."""
+
+    library: Library
+    scope: Class
+
+    def value(self, name: str) -> Value:
+        return self.library.constant(name, self.scope)
+
+    def sizes(self, name: str) -> Sequence[int]:
+        return self.library.sizes(name, self.scope)
+
+    def is_function(self, name: str) -> bool:
+        return self.library.is_class(name, self.scope)

@@ -286,6 +286,8 @@ class _Parser:
         name = self.name()
         if self.take_if("="):
             owner.imports.append((name, self.name()))
+        elif self.take_if(".*"):
+            owner.imports.append(("*", name))
         elif self.take_if("."):
             if self.take_if("*"):
                 owner.imports.append(("*", name))

@@ -19,7 +19,7 @@ from fmu_build import UnsupportedModelError
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.second_reading.check import reject_other_values
-from fmu_build.codegen.second_reading.connections import mistaken_connections
+from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.packages import mistaken_packages
@@ -138,13 +138,14 @@ class _Reading:
         self.flat = self.model.flat
         self._library = Library(text for _, text in self.model.sources.values())
         self._instances = Instances(self._library, self.model.name)
+        self._connections = Connections(self._instances)
 
     def differences(self, change: Callable[[dict[str, Any]], object] = lambda _: None) -> list[object]:
         changed = replace(self.model, flat=self.changed(change))
         return [
             *mistaken_equations(changed, self._instances),
-            *mistaken_connections(changed, self._instances),
-            *mistaken_packages(changed, self._library),
+            *mistaken_connections(changed, self._connections),
+            *mistaken_packages(changed, self._library, self._instances),
         ]
 
     def changed(self, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:

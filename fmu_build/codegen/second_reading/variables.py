@@ -1,0 +1,53 @@
+"""Compare the variables that rumoca makes, and their dimensions, with those of the source."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.second_reading.instances import Instances, around
+
+
+def mistaken_variables(model: LoweredModel, instances: Instances) -> Iterator[str]:
+    """Yield the variables that are lost, that should not be there, or have other dimensions."""
+    flat = model.flat["variables"]
+    for name, leaf in instances.leaves.items():
+        if name not in flat:
+            yield f"the variable {name} is lost"
+        elif tuple(flat[name]["dims"]) != leaf.sizes:
+            found, meant = (list(one) or "no dimensions" for one in (flat[name]["dims"], leaf.sizes))
+            yield f"the sizes of {name} are {found} instead of {meant}"
+    for name in flat:
+        # rumoca keeps some arrays of components as components of arrays.
+        if name not in instances.leaves and not flat[name]["dims"]:
+            yield from _not_meant(instances, name)
+
+
+def _not_meant(instances: Instances, name: str) -> Iterator[str]:
+    """Yield why there should be no variable of this name, if that is known."""
+    paths = ["", *around(name), name]
+    for outer, path in itertools.pairwise(paths):
+        if outer not in instances.parts:
+            return
+        declared, _, subscripts = path.rpartition("[") if path.endswith("]") else (path, "", "")
+        if declared in instances.absent:
+            yield f"{name} should not be there, because the condition of {declared} is false"
+        elif declared in instances.sizes and not _is_element(instances.sizes[declared], subscripts):
+            meant = list(instances.sizes[declared])
+            yield f"{name} should not be there, because the sizes of {declared} are {meant}"
+        elif instances.n_dimensions(declared) and not subscripts and path != name:
+            yield f"the array {declared} has become a single component, because its size is not evaluated"
+        elif declared not in instances.sizes and subscripts and instances.is_ambiguous_size(declared):
+            yield f"the size of {declared} would be read from another variable of the same name"
+        else:
+            continue
+        return
+
+
+def _is_element(sizes: tuple[int, ...], subscripts: str) -> bool:
+    """Return whether an array of components has an element, if the subscripts are those of all dimensions."""
+    places = [int(one) for one in subscripts.rstrip("]").split(",")] if subscripts else []
+    return len(places) == len(sizes) and all(
+        1 <= place <= size for place, size in zip(places, sizes, strict=True)
+    )
