@@ -9,6 +9,7 @@ from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.captures import captured_names
+from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
 from fmu_build.codegen.second_reading.instances import Instances
@@ -50,7 +51,7 @@ def _differences(
         yield f"{difference}, because the compiler looks it up there first; rename one of them", span
     for difference in mistaken_variables(model, instances):
         yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
-    for difference, span in mistaken_equations(model, instances):
+    for difference, span in (*mistaken_equations(model, instances), *mistaken_clauses(model, instances)):
         yield f"{difference}: the compiler has misread the class; write it another way", span
     for difference, span in mistaken_packages(model, library, instances):
         yield f"{difference}: the compiler looks up the name in the wrong class; write its full name", span

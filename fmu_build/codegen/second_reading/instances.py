@@ -246,6 +246,7 @@ class Instances:
             self.parts[path] = Part(tuple(self.library.lineage(owner)), owner.kind)
         self._check_names(path, owner, given, names)
         self._check_repeated(path, members)
+        self._check_repeated_classes(owner)
         # Sizes and conditions depend on variables without them.
         for member in sorted(
             members, key=lambda one: bool(one.component.dimensions or one.component.condition)
@@ -375,6 +376,16 @@ class Instances:
                 name = _joined(path, component.name)
                 what = f"{name} is declared in {other.around.name} and in {around.name}, differently"
                 self.mistakes.append((what, component.name))
+
+    def _check_repeated_classes(self, owner: Class) -> None:
+        first: dict[str, Class] = {}
+        with suppress(UnknownError):
+            for around in self.library.lineage(owner):
+                for name, one in around.classes.items():
+                    other = first.setdefault(name, one)
+                    if other.tokens != one.tokens:
+                        what = f"{owner.name} has two classes {name} that differ: one of {around.name}, which"
+                        self.mistakes.append((f"{what} it inherits", name))
 
 
 _NOTHING: Final = Given()

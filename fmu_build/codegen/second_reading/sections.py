@@ -1,4 +1,4 @@
-"""The equations of a section as trees: plain ones, connections, if-equations and loops."""
+"""The equations of a section as trees: plain ones, connections, branches, loops, when-clauses."""
 
 from __future__ import annotations
 
@@ -45,11 +45,19 @@ class Loop:
     start: int
 
 
-Statement: TypeAlias = "Equation | Connection | Branches | Loop"
+@dataclass(frozen=True, slots=True)
+class When:
+    """A when-clause, between two offsets into its file."""
+
+    start: int
+    end: int
+
+
+Statement: TypeAlias = "Equation | Connection | Branches | Loop | When"
 
 
 def statements(section: Section) -> tuple[Statement, ...]:
-    """Return the equations of a section without its when-clauses and calls.
+    """Return the equations of a section without its calls.
 
     Raises `SyntaxError` if one is not understood.
     """
@@ -78,7 +86,7 @@ class _Reader:
             elif self.here == "for":
                 yield self._loop()
             elif self.here == "when":
-                self._skip_when()
+                yield self._when()
             else:
                 yield from self._plain()
             self._take_if(";")
@@ -104,10 +112,12 @@ class _Reader:
         self._until(";")
         return Loop(tuple(iterators), body, start)
 
-    def _skip_when(self) -> None:
+    def _when(self) -> When:
+        start = self._section.places[self._place]
         while self._take() != "end" or self.here != "when":
             self._until("end")
         self._until(";")
+        return When(start, self._section.places[self._place])
 
     def _plain(self) -> Iterator[Equation | Connection]:
         first = self._place

@@ -98,6 +98,7 @@ class Class:
     imports: list[tuple[str, str]] = field(default_factory=list)
     dimensions: tuple[Tokens, ...] = ()
     sections: list[Section] = field(default_factory=list)
+    tokens: Tokens = field(default=(), repr=False)
     file: int = 0
     start: int = 0
     end: int = 0
@@ -201,21 +202,20 @@ class _Parser:
     def class_or_none(self, around: Class | None, prefixes: frozenset[str]) -> Class | None:
         if self.here not in _KINDS:
             return None
-        start = self._places[self._place]
+        first = self._place
         kind = self.take()
         while self.here in _KINDS:  # operator record
             kind = self.take()
         extends = self.take_if("extends")
-        found = Class(
-            self.take(), kind, around, prefixes, file=self._file, start=start, is_certain=not extends
-        )
+        found = Class(self.take(), kind, around, prefixes, file=self._file, is_certain=not extends)
         if self.here == "(":
             self._balanced()
         if self.take_if("="):
             self._short(found)
         else:
             self._composition(found)
-        found.end = self._places[self._place]
+        found.tokens = tuple(self._tokens[first : self._place])
+        found.start, found.end = self._places[first], self._places[self._place]
         return found
 
     def _short(self, found: Class) -> None:

@@ -240,6 +240,17 @@ _INVALID = {
         'model A constant String s = "text"; constant Real c; end A; A a;',
         "the constant a.c has no value",
     ),
+    "connectors with different variables": (
+        "connector P Real v; flow Real i; end P; connector Q Real v; flow Real i; Real w; flow Real j; "
+        "end Q; model A P p; equation p.v=1; end A; model B Q p; equation p.i=1; p.w=1; end B; A a; B b; "
+        "equation connect(a.p, b.p);",
+        "a.p and b.p have different variables",
+    ),
+    "two bases with different classes of one name": (
+        "model A model S Real y=1; end S; S s; end A; model B model S Real y=2; end S; S t; end B; "
+        "model C extends A; extends B; end C; C c;",
+        "C has two classes S that differ",
+    ),
     "a variable of a base, declared again": (
         "model A parameter Real k=1; end A; model B extends A; parameter Real k=2; end B; B b;",
         "b.k is declared in A and in B, differently",
@@ -252,6 +263,126 @@ def test_invalid_modifiers(declarations: str, message: str, tmp_path: Path) -> N
     with pytest.raises(ModelicaError) as caught:
         _generate(declarations, tmp_path)
     assert message in str(caught.value)
+
+
+#: Packages with a model M in which the compiler looks names up in the wrong class, and the message.
+_PACKAGE = """
+package P constant Real k=2; constant Integer n=2; {} end P;
+model S Real y=time; end S;
+model M {} end M;
+"""
+_MISPLACED = {
+    "a constant in an equation of a base": (
+        "model B Real y; equation y=k; end B;",
+        "extends P.B; parameter Real k=3;",
+        "k in B, which M inherits, would mean the k of M",
+    ),
+    "in a size": (
+        "model B Real v[n](each start=1, each fixed=true); equation der(v)=-v; end B;",
+        "extends P.B; parameter Integer n=3;",
+        "n in B, which M inherits, would mean the n of M",
+    ),
+    "in a range": (
+        "model B Real y; equation y=sum(i for i in 1:n); end B;",
+        "extends P.B; parameter Integer n=5;",
+        "n in B, which M inherits, would mean the n of M",
+    ),
+    "in a modifier": (
+        "model S parameter Real p=1; Real y=p; end S; model B S a(p=k); end B;",
+        "extends P.B; parameter Real k=3;",
+        "the value is 3 instead of 2",
+    ),
+    "in a condition": (
+        "constant Boolean on=true; model S Real y=1; end S; model B S s if on; end B;",
+        "extends P.B; parameter Boolean on=false;",
+        "on in B, which M inherits, would mean the on of M",
+    ),
+    "a qualified constant, captured by a component": (
+        "package C constant Real k=2; end C; record K Real k=9; end K; model B Real y; "
+        "equation y=C.k; end B;",
+        "extends P.B; P.K C;",
+        "C in B, which M inherits, would mean the C of M",
+    ),
+    "in a function": (
+        "function f input Real x; output Real y; algorithm y:=k*x; end f;",
+        "function g extends P.f; protected Real k=7; end g; Real s=g(time);",
+        "k, which f does not declare, means the k of the function that extends it",
+    ),
+    "in a package": (
+        "package Q constant Real b=k+3; end Q; package R extends Q; constant Real k=100; end R;",
+        "Real y=P.R.b;",
+        "k in Q, which R inherits, would mean the k of R",
+    ),
+    "the default of a record": (
+        "record R Real a=k; Real b=1; end R;",
+        "parameter Real k=3; P.R r=P.R(b=time); Real s=r.a;",
+        "k, which R does not declare, means the k of the model",
+    ),
+    "the size of a type": (
+        "type V=Real[n];",
+        "parameter Integer n=3; P.V v(each start=1); equation der(v)=-v;",
+        "the sizes of v are [3] instead of [2]",
+    ),
+    "the size of an array of components": (
+        "",
+        "S s[P.n]; Real q=sum(s.y);",
+        "the variable s[1].y is lost",
+    ),
+    "a size that is not known": (
+        "type E = enumeration(a, b);",
+        "S s[size(P.E, 1)]; Real q=sum(s.y);",
+        "the array s has become a single component",
+    ),
+    "a size from another component": (
+        "model A parameter Integer n=2; end A;",
+        "parameter Integer n=3; P.A a; S s[a.n]; Real q=sum(s.y);",
+        "s[3].y should not be there, because the sizes of s are [2]",
+    ),
+    "a size from another component, by a function": (
+        "model A parameter Integer n=2; end A; "
+        "function f input Integer i; output Integer o; algorithm o:=i; end f;",
+        "parameter Integer n=3; P.A a; parameter Integer m=P.f(a.n); S s[m]; Real q=sum(s.y);",
+        "the size of s would be read from another variable of the same name",
+    ),
+}
+
+
+@pytest.mark.parametrize(("package", "model", "message"), _MISPLACED.values(), ids=_MISPLACED.keys())
+def test_misplaced_names(package: str, model: str, message: str, tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(_PACKAGE.format(package, model))
+    with pytest.raises(UnsupportedModelError) as caught:
+        generate_model(BuildRequest("M", tmp_path, file))
+    assert message in str(caught.value)
+
+
+#: Packages with a model M in which the same names are right.
+_WELL_PLACED = {
+    "a name that the base declares": (
+        "model B parameter Real k=5; Real y; equation y=k; end B;",
+        "extends P.B(k=7); parameter Real j=3;",
+    ),
+    "an iterator and an argument": (
+        "model B Real y; equation y=sum(i for i in 1:3)+f(x=2, y=3); end B; "
+        "function f input Real x; input Real y; output Real z; algorithm z:=x+y; end f;",
+        "extends P.B; parameter Real i=3; parameter Real x=1;",
+    ),
+    "a size of its own": (
+        "",
+        "parameter Integer m=n+1; constant Integer n=1; S s[m]; Real q=sum(s.y);",
+    ),
+    "an import before a constant around": (
+        "package C constant Real k=4; end C; model B import P.C.*; Real y; equation y=k; end B;",
+        "extends P.B;",
+    ),
+}
+
+
+@pytest.mark.parametrize(("package", "model"), _WELL_PLACED.values(), ids=_WELL_PLACED.keys())
+def test_well_placed_names(package: str, model: str, tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(_PACKAGE.format(package, model))
+    generate_model(BuildRequest("M", tmp_path, file))
 
 
 def _generate(declarations: str, folder: Path) -> None:

@@ -19,6 +19,7 @@ from fmu_build import UnsupportedModelError
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import lower
 from fmu_build.codegen.second_reading.check import reject_other_values
+from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
 from fmu_build.codegen.second_reading.instances import Instances
@@ -105,7 +106,22 @@ package Q
     connect(cable.b, b);
     connect(u, cable.u);
   end Inside;
+  model Counter
+    parameter Real limit = 1;
+    Integer n(start = 0, fixed = true);
+    Real half;
+  equation
+    when time > limit then
+      n = pre(n) + 1;
+    elsewhen time > 2*limit then
+      n = 0;
+    end when;
+    assert(limit < 10, "limit");
+  algorithm
+    half := if n > 1 then limit/2 else 0;
+  end Counter;
   model M
+    Counter counterA, counterB, single;
     Inside x[2];
     Cable y(hasInput = false, wire(isLinear = {true, false}));
     Gain gain;
@@ -130,6 +146,9 @@ end Q;
 """
 
 
+_CLAUSES = ("when_chains", "assert_equations", "algorithms")
+
+
 class _Reading:
     """The second reading of a model, and what it finds if the compiler had made something else of it."""
 
@@ -140,16 +159,19 @@ class _Reading:
         self._instances = Instances(self._library, self.model.name)
         self._connections = Connections(self._instances)
 
-    def differences(self, change: Callable[[dict[str, Any]], object] = lambda _: None) -> list[object]:
+    def differences(self, change: Callable[[dict[str, Any]], object]) -> Iterator[object]:
         changed = replace(self.model, flat=self.changed(change))
-        return [
-            *mistaken_equations(changed, self._instances),
-            *mistaken_connections(changed, self._connections),
-            *mistaken_packages(changed, self._library, self._instances),
-        ]
+        yield from mistaken_equations(changed, self._instances)
+        yield from mistaken_connections(changed, self._connections)
+        yield from mistaken_clauses(changed, self._instances)
+        yield from mistaken_packages(changed, self._library, self._instances)
+
+    def finds(self, change: Callable[[dict[str, Any]], object] = lambda _: None) -> bool:
+        """Whether there is a difference."""
+        return next(self.differences(change), None) is not None
 
     def changed(self, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
-        trees = ("equations", "initial_equations", "functions")
+        trees = ("equations", "initial_equations", "functions", *_CLAUSES)
         flat = {**self.flat, **{name: copy.deepcopy(self.flat[name]) for name in trees}}
         change(flat)
         return flat
@@ -163,7 +185,7 @@ def reading(tmp_path_factory: pytest.TempPathFactory) -> _Reading:
 
 
 def test_agreement(reading: _Reading) -> None:
-    assert not reading.differences()
+    assert not reading.finds()
     reject_other_values(reading.model)
 
 
@@ -172,7 +194,7 @@ def test_lost_equations(reading: _Reading, kind: str) -> None:
     """Each equation is missed: those of components, of connections and of flows that nothing connects."""
     assert len(reading.flat["equations"]) > 90
     for place in range(len(reading.flat[kind])):
-        assert reading.differences(lambda flat, place=place: flat[kind].pop(place)), reading.flat[kind][place]
+        assert reading.finds(lambda flat, place=place: flat[kind].pop(place)), reading.flat[kind][place]
 
 
 def _references(flat: dict[str, Any]) -> Iterator[dict[str, Any]]:
@@ -198,7 +220,7 @@ def test_other_variables(reading: _Reading) -> None:
         def change(flat: dict[str, Any], place: int = place, other: str = other) -> None:
             [*_references(flat)][place]["name"]["name"] = other
 
-        assert reading.differences(change), (reference, other)
+        assert reading.finds(change), (reference, other)
 
 
 def test_signs_of_flows(reading: _Reading) -> None:
@@ -210,7 +232,7 @@ def test_signs_of_flows(reading: _Reading) -> None:
             tree = flat["equations"][place]["residual"]["Binary"]
             tree["rhs"] = {"Unary": {"op": "Minus", "rhs": tree["rhs"]}}
 
-        assert reading.differences(change), reading.flat["equations"][place]["origin"]
+        assert reading.finds(change), reading.flat["equations"][place]["origin"]
 
 
 def test_constants_of_packages(reading: _Reading) -> None:
@@ -226,7 +248,7 @@ def test_constants_of_packages(reading: _Reading) -> None:
                 literal = [*expressions(flat[tree], "Literal")][place]
                 literal["value"] = {"Real": 7.0}
 
-            assert reading.differences(change), reading.model.text(found[place]["span"])
+            assert reading.finds(change), reading.model.text(found[place]["span"])
 
 
 def test_functions(reading: _Reading) -> None:
@@ -239,7 +261,7 @@ def test_functions(reading: _Reading) -> None:
         def change(flat: dict[str, Any], place: int = place, other: str = other) -> None:
             [*expressions(flat["equations"], "FunctionCall")][place]["name"]["name"] = other
 
-        assert reading.differences(change), call["name"]["name"]
+        assert reading.finds(change), call["name"]["name"]
 
 
 def test_connected_potentials(reading: _Reading) -> None:
@@ -251,7 +273,7 @@ def test_connected_potentials(reading: _Reading) -> None:
         def change(flat: dict[str, Any], place: int = place) -> None:
             flat["equations"][place]["residual"]["Binary"]["lhs"]["VarRef"]["name"]["name"] = "capacitor.u"
 
-        assert reading.differences(change), reading.flat["equations"][place]["origin"]
+        assert reading.finds(change), reading.flat["equations"][place]["origin"]
 
 
 def test_other_branches(reading: _Reading) -> None:
@@ -274,6 +296,34 @@ def test_other_branches(reading: _Reading) -> None:
         assert any("is lost" in str(one) for one in reading.differences(change))
 
 
+def test_lost_clauses(reading: _Reading) -> None:
+    assert len(reading.flat["when_chains"]) == 3
+    for place in range(3):
+        assert reading.finds(lambda flat, place=place: flat["when_chains"].pop(place))
+
+
+@pytest.mark.parametrize("kind", _CLAUSES)
+def test_other_variables_in_clauses(reading: _Reading, kind: str) -> None:
+    """Each name in a when-clause, an assertion or an algorithm is found if it means another component."""
+    found = [*expressions(reading.flat[kind], "VarRef")]
+    places = [place for place, one in enumerate(found) if "counter" in one["name"]["name"]]
+    assert len(places) == {"when_chains": 6, "assert_equations": 2, "algorithms": 4}[kind]
+    for place in places:
+
+        def change(flat: dict[str, Any], place: int = place) -> None:
+            name = [*expressions(flat[kind], "VarRef")][place]["name"]
+            name["name"] = f"single.{name['name'].rpartition('.')[2]}"
+
+        assert reading.finds(change), found[place]["name"]["name"]
+
+
+def test_other_targets(reading: _Reading) -> None:
+    def change(flat: dict[str, Any]) -> None:
+        next(expressions(flat["when_chains"], "Assign"))["target"] = "single.n"
+
+    assert reading.finds(change)
+
+
 def test_message(reading: _Reading) -> None:
     changed = replace(reading.model, flat=reading.changed(lambda flat: flat["equations"].pop(0)))
     with pytest.raises(UnsupportedModelError, match=r"Q.mo:\d+:\d+: the equation .* is lost"):
@@ -284,4 +334,4 @@ def test_file(reading: _Reading, tmp_path: Path) -> None:
     """The places are right in files with other characters than ASCII."""
     file = tmp_path / "Q.mo"
     file.write_text("// Widerst\u00e4nde \u2192 Kabel\n" + _SOURCE, encoding="utf-8")
-    assert not _Reading(file).differences()
+    assert not _Reading(file).finds()
