@@ -10,7 +10,8 @@ from typing import Any, Final
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.equations import mistaken_names
-from fmu_build.codegen.second_reading.instances import Instances, Scope
+from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.sections import When, statements
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -22,7 +23,8 @@ def mistaken_clauses(model: LoweredModel, instances: Instances) -> Iterator[Diff
     """Yield what is wrong with when-clauses, assertions and algorithms, and where these stand."""
     for kind in ("assert_equations", "initial_assert_equations", "algorithms", "initial_algorithms"):
         for one in model.flat[kind]:
-            yield from _names(model, instances, one)
+            if one["span"]["source"] in model.sources:
+                yield from _names(model, instances, one)
     yield from _when_clauses(model, instances)
 
 
@@ -52,7 +54,8 @@ def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Differe
         for owner in part.classes:
             paths[id(owner)].append((path, owner))
     found: dict[str, list[tuple[int, int]]] = defaultdict(list)
-    for chain in model.flat["when_chains"]:
+    chains = (one for one in model.flat["when_chains"] if one["span"]["source"] in model.sources)
+    for chain in chains:
         place = _place(model, chain["span"])
         around = [one for owners in paths.values() for one in owners if one[1].contains(*place)]
         own = [path for path, owner in around if _is_of(model, instances, Scope(path, owner), chain)]

@@ -14,7 +14,8 @@ from typing import Any, Generic, TypeVar
 
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.instances import Instances, Leaf, Scope, around
+from fmu_build.codegen.second_reading.givens import Mistake, Scope
+from fmu_build.codegen.second_reading.instances import Instances, Leaf, around
 from fmu_build.codegen.second_reading.references import Elements, elements, points
 from fmu_build.codegen.second_reading.sections import Branches, Connection, Loop, Statement, statements
 
@@ -108,7 +109,7 @@ class Connections:
 
     def __init__(self, instances: Instances) -> None:
         self.equal: _Sets[str] = _Sets()
-        self.mistakes: list[tuple[str, str]] = []
+        self.mistakes: list[Mistake] = []
         self._flows: _Sets[Flow] = _Sets()
         self._instances = instances
         self._unclear: set[str] = set()

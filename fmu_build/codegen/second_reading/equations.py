@@ -1,7 +1,7 @@
 """Compare rumoca's equations with those of the classes in the source.
 
-An equation of a component must stand in one of its classes, in a branch that holds; the names in it must
-mean variables of this component; and each equation of its classes must be there.
+An equation of a component must stand in one of its classes, and the names in it must mean variables of this
+component. Each equation of its classes must be there, if it is not in a branch that does not hold.
 """
 
 from __future__ import annotations
@@ -10,14 +10,15 @@ import bisect
 import math
 import re
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.instances import Instances, Scope
+from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.packages import NAME, is_iterator
 from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
@@ -31,7 +32,7 @@ def mistaken_equations(model: LoweredModel, instances: Instances) -> Iterator[Di
     """Yield what is wrong with the equations of components, and where these stand."""
     numbers = {source: number for number, source in enumerate(model.sources)}
     for kind in ("equations", "initial_equations"):
-        found = _by_component(model.flat[kind])
+        found = _by_component(one for one in model.flat[kind] if one["span"]["source"] in numbers)
         for path, part in instances.parts.items():
             for equation in found.get(path, []):
                 span = equation["span"]
@@ -52,7 +53,7 @@ def mistaken_equations(model: LoweredModel, instances: Instances) -> Iterator[Di
                         yield from comparison.of(section)
 
 
-def _by_component(equations: Sequence[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
+def _by_component(equations: Iterable[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
     found = defaultdict(list)
     for equation in equations:
         if "ComponentEquation" in equation["origin"]:
@@ -63,8 +64,8 @@ def _by_component(equations: Sequence[Mapping[str, Any]]) -> dict[str, list[Mapp
 def mistaken_names(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
     """Yield names in an expression that rumoca takes for variables of another component."""
     for reference in expressions(tree, "VarRef"):
-        if reference["name"]["instance_id"] is None:
-            continue  # an iterator
+        if reference["name"]["instance_id"] is None or reference["span"]["source"] not in model.sources:
+            continue  # an iterator, or made by rumoca
         written = _plain(model.text(reference["span"]))
         with suppress(UnknownError):
             if instances.means_member(written, scope):

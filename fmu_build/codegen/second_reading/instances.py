@@ -10,12 +10,24 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from typing import Final
 
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
+from fmu_build.codegen.second_reading.givens import (
+    NOTHING,
+    Given,
+    Mistake,
+    Scope,
+    both,
+    element,
+    given_by,
+    inner_of,
+    joined,
+    merged,
+)
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
-from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
+from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
 #: The path for the modifiers of a short class, which have no component around them.
 _NOWHERE: Final = ".."
@@ -25,34 +37,6 @@ _INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
-
-
-@dataclass(frozen=True, slots=True)
-class Scope:
-    """Where an expression stands: the path of a component, and the class of it, or a base of that."""
-
-    path: str
-    around: Class
-
-
-@dataclass(frozen=True, slots=True)
-class Given:
-    """What a name is given, and the scope of its value.
-
-    `type` is that of a redeclaration in the class `around`, else empty.
-    Of an array for the elements of an array of components, `place` selects those of this component.
-    """
-
-    value: Tokens = ()
-    scope: Scope | None = None
-    inner: Mapping[str, Given] = field(default_factory=dict)
-    each: bool = False
-    final: bool = False
-    type: str = ""
-    around: Class | None = None
-    redeclares: bool = False
-    place: tuple[int, ...] = ()
-    is_used_up: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +94,7 @@ class _Names:
     def sizes(self, name: str) -> Sequence[int]:
         if self.scope.path == _NOWHERE or not self.instances.means_member(name, self.scope):
             return self.instances.library.sizes(name, self.scope.around)
-        path = _joined(self.scope.path, name)
+        path = joined(self.scope.path, name)
         if path not in self.instances.sizes:
             raise UnknownError
         return self.instances.sizes[path]
@@ -137,7 +121,7 @@ class Instances:
         self.sizes: dict[str, tuple[int, ...]] = {}
         self._dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self.absent: set[str] = set()
-        self.mistakes: list[tuple[str, str]] = []
+        self.mistakes: list[Mistake] = []
         self.library = library
         self._members: dict[str, set[str]] = {}
         self._evaluating: set[str] = set()
@@ -167,16 +151,18 @@ class Instances:
 
         This is so in ``A a; parameter Integer n = 3; S s[a.n]``.
         """
-        return any(self._is_ambiguous(*size, 0) for size in self._dimensions.get(path, ()))
+        with suppress(UnknownError):
+            return any(self._is_ambiguous(*size, 0) for size in self._dimensions.get(path, ()))
+        return False
 
     def _is_ambiguous(self, tokens: Tokens, scope: Scope, depth: int) -> bool:
         own = self.library.components(scope.around)
         for before, token, after in zip(("", *tokens), tokens, (*tokens[1:], ""), strict=False):
             if before == "." and after not in (".", "(") and token in own:
                 return True
-            leaf = self.leaves.get(_joined(scope.path, token))
+            leaf = self.leaves.get(joined(scope.path, token))
             is_plain = "." not in (before, after) and depth < _DEEPEST
-            given = leaf.given if leaf is not None and is_plain else _NOTHING
+            given = leaf.given if leaf is not None and is_plain else NOTHING
             if given.scope is not None and self._is_ambiguous(given.value, given.scope, depth + 1):
                 return True
         return False
@@ -216,7 +202,7 @@ class Instances:
         """Return the value of a parameter or constant; raises `UnknownError` if it is not known."""
         if scope.path == _NOWHERE or not self.means_member(name, scope):
             return self.library.constant(name, scope.around)
-        path = _joined(scope.path, name)
+        path = joined(scope.path, name)
         leaf = self.leaves.get(path)
         if leaf is None or not leaf.is_constant or path in self._evaluating:
             raise UnknownError
@@ -239,7 +225,7 @@ class Instances:
         names = {one.component.name for one in members}
         outer = {one.component.name for one in members if "outer" in one.component.prefixes}
         self._members[path] = names - outer if is_known else set()
-        self._outer |= {_SUBSCRIPTS.sub("", _joined(path, name)) for name in outer}
+        self._outer |= {_SUBSCRIPTS.sub("", joined(path, name)) for name in outer}
         if not is_known:
             return
         with suppress(UnknownError):
@@ -264,20 +250,20 @@ class Instances:
             base = self.library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = _inner(modifier, Scope(_NOWHERE if owner.is_short else path, owner))
-            all_given = self._merged(path, all_given, inner)
-            inherited = list(self._components(path, base, self._merged(path, given, inner)))
+            inner = inner_of(modifier, Scope(_NOWHERE if owner.is_short else path, owner))
+            all_given = merged(path, all_given, inner, self.mistakes)
+            inherited = list(self._components(path, base, merged(path, given, inner, self.mistakes)))
             self._check_names(path, base, inner, {one.component.name for one in inherited})
             yield from (one for one in inherited if one.component.name not in redeclared)
         for component in owner.components:
-            own = _given(component.modifier, Scope(path, owner))
-            whole = self._both(_joined(path, component.name), given.get(component.name), own)
+            own = given_by(component.modifier, Scope(path, owner))
+            whole = both(joined(path, component.name), given.get(component.name), own, self.mistakes)
             yield _Member(component, owner, whole, all_given)
 
     def _component(self, path: str, member: _Member, around: frozenset[str], depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""
         component, given = member.component, member.given
-        name = _joined(path, component.name)
+        name = joined(path, component.name)
         scope = Scope(path, member.around)
         if component.condition and not self.number(component.condition, scope):
             self.absent.add(name)
@@ -287,13 +273,13 @@ class Instances:
         dimensions = [(tokens, scope) for tokens in component.dimensions]
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            attributes = self._both(name, attributes, _given(modifier, Scope(_NOWHERE, kind)))
+            attributes = both(name, attributes, given_by(modifier, Scope(_NOWHERE, kind)), self.mistakes)
             dimensions += [(tokens, Scope(_NOWHERE, kind)) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
         self._dimensions[name] = dimensions
         sizes = tuple(self._size(tokens, where) for tokens, where in dimensions)
         self.sizes[name] = sizes
-        whole = self._both(name, given, attributes)
+        whole = both(name, given, attributes, self.mistakes)
         prefixes = component.prefixes | (around & _INHERITED)
         if kind in PREDEFINED.values() or kind.is_enumeration:
             leaf = Leaf(whole, prefixes, not kind.is_enumeration, sizes)
@@ -303,7 +289,7 @@ class Instances:
                 raise UnknownError
             for places in itertools.product(*map(range, sizes)):
                 subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
-                inner = {key: _element(one, places) for key, one in whole.inner.items()}
+                inner = {key: element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
 
     def _kind(self, member: _Member) -> tuple[Class, Given]:
@@ -312,14 +298,14 @@ class Instances:
         if given.type:
             if given.around is None or component.is_constrained:
                 raise UnknownError
-            return self.library.meaning(given.type, given.around), _NOTHING
+            return self.library.meaning(given.type, given.around), NOTHING
         other = member.around_given.get(component.type)
         if other is not None:
             if not other.type or other.around is None:
                 raise UnknownError
             return self.library.meaning(other.type, other.around), Given(inner=other.inner)
         own = self.library.element(member.around, component.type)
-        return own or self.library.meaning(component.type, member.around), _NOTHING
+        return own or self.library.meaning(component.type, member.around), NOTHING
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
@@ -334,28 +320,6 @@ class Instances:
         if size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
             raise UnknownError
         return int(size)
-
-    def _merged(self, path: str, outer: Mapping[str, Given], inner: Mapping[str, Given]) -> dict[str, Given]:
-        names = dict.fromkeys((*inner, *outer))
-        return {name: self._both(_joined(path, name), outer.get(name), inner.get(name)) for name in names}
-
-    def _both(self, path: str, outer: Given | None, inner: Given | None) -> Given:
-        """Return what holds where a modifier further out meets one further in."""
-        if outer is None or inner is None:
-            return outer or inner or _NOTHING
-        if inner.final and outer.value:
-            what = f"{path} is final and cannot be given another value"
-            self.mistakes.append((what, path.rpartition(".")[2]))
-        first = outer if outer.value else inner
-        is_unclear = bool(outer.inner and inner.inner) and outer.each != inner.each
-        return replace(
-            first,
-            inner=self._merged(path, outer.inner, inner.inner),
-            final=outer.final or inner.final,
-            type=outer.type or inner.type,
-            around=outer.around if outer.type else inner.around,
-            redeclares=outer.redeclares or inner.redeclares or is_unclear,
-        )
 
     def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
         with suppress(UnknownError):
@@ -373,7 +337,7 @@ class Instances:
             component, around = member.component, member.around
             other = first.setdefault(component.name, member)
             if other.component.modifier != component.modifier and around is not other.around:
-                name = _joined(path, component.name)
+                name = joined(path, component.name)
                 what = f"{name} is declared in {other.around.name} and in {around.name}, differently"
                 self.mistakes.append((what, component.name))
 
@@ -388,7 +352,6 @@ class Instances:
                         self.mistakes.append((f"{what} it inherits", name))
 
 
-_NOTHING: Final = Given()
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
@@ -401,41 +364,3 @@ def around(name: str) -> Iterator[str]:
         depth += (letter == "[") - (letter == "]")
         if letter == "." and not depth:
             yield name[:place]
-
-
-def _joined(path: str, name: str) -> str:
-    return f"{path}.{name}" if path else name
-
-
-def _given(modifier: Modifier, scope: Scope) -> Given:
-    """Return what a modifier gives that stands in a scope."""
-    return Given(
-        value=modifier.value,
-        scope=scope,
-        inner=_inner(modifier, scope),
-        each=modifier.each,
-        final=modifier.final,
-        type=modifier.type,
-        around=scope.around,
-        redeclares=modifier.redeclares,
-    )
-
-
-def _inner(modifier: Modifier, scope: Scope) -> dict[str, Given]:
-    return {name: _given(one, scope) for name, one in modifier.inner.items()}
-
-
-def _element(given: Given, places: tuple[int, ...], *, is_inner: bool = False) -> Given:
-    """Return what an element of an array is given by a modifier of the array.
-
-    An ``each`` in the modifier of a modifier may belong to this array or to one inside: it is used up here,
-    and nothing is known of the latter.
-    """
-    if not places:
-        return given
-    if given.is_used_up:
-        return replace(given, redeclares=True)
-    if given.each:
-        return replace(given, each=False, is_used_up=is_inner)
-    inner = {name: _element(one, places, is_inner=True) for name, one in given.inner.items()}
-    return replace(given, inner=inner, place=given.place + places)

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.instances import Instances, Scope
+from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.syntax import Tokens
 
 

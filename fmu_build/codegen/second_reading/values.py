@@ -17,7 +17,8 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
 from fmu_build.codegen.second_reading.equations import mistaken_names
-from fmu_build.codegen.second_reading.instances import Given, Instances, Leaf
+from fmu_build.codegen.second_reading.givens import Given
+from fmu_build.codegen.second_reading.instances import Instances, Leaf
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 
 _ROUNDING: Final = 1e-9

@@ -1,0 +1,110 @@
+"""What the modifiers of a source give to names, and how they are merged (Modelica 3.6, section 7.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Final
+
+from fmu_build.codegen.second_reading.syntax import Class, Modifier, Tokens
+
+Mistake = tuple[str, str]
+"""What is invalid, and the name that it is about."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scope:
+    """Where an expression stands: the path of a component, and the class of it, or a base of that."""
+
+    path: str
+    around: Class
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """What a name is given, and the scope of its value.
+
+    `type` is that of a redeclaration in the class `around`, else empty.
+    Of an array for the elements of an array of components, `place` selects those of this component.
+    """
+
+    value: Tokens = ()
+    scope: Scope | None = None
+    inner: Mapping[str, Given] = field(default_factory=dict)
+    each: bool = False
+    final: bool = False
+    type: str = ""
+    around: Class | None = None
+    redeclares: bool = False
+    place: tuple[int, ...] = ()
+    is_used_up: bool = False
+
+
+NOTHING: Final = Given()
+
+
+def joined(path: str, name: str) -> str:
+    """Return the path of a component in another one."""
+    return f"{path}.{name}" if path else name
+
+
+def given_by(modifier: Modifier, scope: Scope) -> Given:
+    """Return what a modifier gives that stands in a scope."""
+    return Given(
+        value=modifier.value,
+        scope=scope,
+        inner=inner_of(modifier, scope),
+        each=modifier.each,
+        final=modifier.final,
+        type=modifier.type,
+        around=scope.around,
+        redeclares=modifier.redeclares,
+    )
+
+
+def inner_of(modifier: Modifier, scope: Scope) -> dict[str, Given]:
+    """Return what a modifier in a scope gives to the members of what it modifies."""
+    return {name: given_by(one, scope) for name, one in modifier.inner.items()}
+
+
+def element(given: Given, places: tuple[int, ...], *, is_inner: bool = False) -> Given:
+    """Return what an element of an array is given by a modifier of the array.
+
+    An ``each`` in the modifier of a modifier may belong to this array or to one inside: it is used up here,
+    and nothing is known of the latter.
+    """
+    if not places:
+        return given
+    if given.is_used_up:
+        return replace(given, redeclares=True)
+    if given.each:
+        return replace(given, each=False, is_used_up=is_inner)
+    inner = {name: element(one, places, is_inner=True) for name, one in given.inner.items()}
+    return replace(given, inner=inner, place=given.place + places)
+
+
+def merged(
+    path: str, outer: Mapping[str, Given], inner: Mapping[str, Given], mistakes: list[Mistake]
+) -> dict[str, Given]:
+    """Return what holds for the members of a component where modifiers further out meet those further in."""
+    names = dict.fromkeys((*inner, *outer))
+    return {name: both(joined(path, name), outer.get(name), inner.get(name), mistakes) for name in names}
+
+
+def both(path: str, outer: Given | None, inner: Given | None, mistakes: list[Mistake]) -> Given:
+    """Return what holds where a modifier further out meets one further in, and add what is invalid."""
+    if outer is None or inner is None:
+        return outer or inner or NOTHING
+    if inner.final and outer.value:
+        what = f"{path} is final and cannot be given another value"
+        mistakes.append((what, path.rpartition(".")[2]))
+    first = outer if outer.value else inner
+    is_unclear = bool(outer.inner and inner.inner) and outer.each != inner.each
+    return replace(
+        first,
+        inner=merged(path, outer.inner, inner.inner, mistakes),
+        final=outer.final or inner.final,
+        type=outer.type or inner.type,
+        around=outer.around if outer.type else inner.around,
+        redeclares=outer.redeclares or inner.redeclares or is_unclear,
+    )
