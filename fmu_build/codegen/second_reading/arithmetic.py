@@ -36,6 +36,8 @@ _FUNCTIONS: Final[dict[str, Callable[..., float]]] = {
     "sqrt": math.sqrt,
     "tan": math.tan,
 }
+_FILLED: Final[dict[str, tuple[float, ...]]] = {"fill": (), "ones": (1.0,), "zeros": (0.0,)}
+_MOST_ELEMENTS: Final = 1000
 _OF_ARRAYS: Final[dict[str, Callable[[Sequence[float]], float]]] = {
     "max": max,
     "min": min,
@@ -177,6 +179,8 @@ class _Reader:
             return found
         if first == "{":
             return self._list("}")
+        if first == "[":
+            return self._matrix()
         if first[0].isalpha() or first[0] in "_'":
             return self._named(first)
         raise UnknownError
@@ -188,6 +192,17 @@ class _Reader:
             elements.append(self.expression())
         self._expect(end)
         return elements
+
+    def _matrix(self) -> Value:
+        rows: list[Value] = []
+        while True:
+            row = [_number(self.expression())]
+            while self.here == ",":
+                self._take()
+                row.append(_number(self.expression()))
+            rows.append(list(row))
+            if self._take() == "]":
+                return rows
 
     def _named(self, first: str) -> Value:
         name = self._name(first)
@@ -221,12 +236,23 @@ class _Reader:
         return float(sizes[int(_number(dimension)) - 1])
 
 
-def _called(name: str, arguments: list[Value]) -> float:
+def _called(name: str, arguments: list[Value]) -> Value:
+    if name in _FILLED:
+        value, *sizes = (*_FILLED[name], *map(_number, arguments))
+        return _filled(value, sizes)
     if name in _OF_ARRAYS:
         return float(_OF_ARRAYS[name](list(_flat(arguments))))
     if name not in _FUNCTIONS:
         raise UnknownError
     return float(_FUNCTIONS[name](*map(_number, arguments)))
+
+
+def _filled(value: float, sizes: Sequence[float]) -> Value:
+    if not sizes:
+        return value
+    if not 0 <= sizes[0] <= _MOST_ELEMENTS:
+        raise UnknownError
+    return [_filled(value, sizes[1:]) for _ in range(int(sizes[0]))]
 
 
 def _flat(value: Value) -> Iterator[float]:

@@ -233,12 +233,17 @@ class Instances:
         self._check_names(path, owner, given, names)
         self._check_repeated(path, members)
         self._check_repeated_classes(owner)
-        # Sizes and conditions depend on variables without them.
-        for member in sorted(
-            members, key=lambda one: bool(one.component.dimensions or one.component.condition)
-        ):
-            with suppress(UnknownError):
-                self._component(path, member, prefixes, depth)
+        # Sizes and conditions depend on other variables, which may be declared later.
+        unknown = members
+        while unknown:
+            before, unknown = unknown, []
+            for member in before:
+                try:
+                    self._component(path, member, prefixes, depth)
+                except UnknownError:
+                    unknown.append(member)
+            if len(unknown) == len(before):
+                break
 
     def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[_Member]:
         """Yield the components of a class, inherited ones first."""
@@ -277,9 +282,12 @@ class Instances:
             dimensions += [(tokens, Scope(_NOWHERE, kind)) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
         self._dimensions[name] = dimensions
-        sizes = tuple(self._size(tokens, where) for tokens, where in dimensions)
-        self.sizes[name] = sizes
         whole = both(name, given, attributes, self.mistakes)
+        sizes = tuple(
+            self._size(tokens, where) if tokens != (":",) else self._size_of_value(whole, place)
+            for place, (tokens, where) in enumerate(dimensions)
+        )
+        self.sizes[name] = sizes
         prefixes = component.prefixes | (around & _INHERITED)
         if kind in PREDEFINED.values() or kind.is_enumeration:
             leaf = Leaf(whole, prefixes, not kind.is_enumeration, sizes)
@@ -320,6 +328,17 @@ class Instances:
         if size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
             raise UnknownError
         return int(size)
+
+    def _size_of_value(self, given: Given, place: int) -> int:
+        """Return a size that follows from the value."""
+        value = self.value(given)
+        for _ in range(place):
+            if not isinstance(value, list) or not value:
+                raise UnknownError
+            value = value[0]
+        if not isinstance(value, list):
+            raise UnknownError
+        return len(value)
 
     def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
         with suppress(UnknownError):

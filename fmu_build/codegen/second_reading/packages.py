@@ -54,8 +54,10 @@ def _captured(
     Modelica looks it up in the classes around its own, rumoca in the model or function that uses the class.
     """
     span, found = reference["span"], reference["name"]["name"]
-    first = NAME.match(model.text(span)) if span["source"] in numbers else None
-    if first is None or found in model.flat["enum_literal_ordinals"]:
+    text = model.text(span) if span["source"] in numbers else ""
+    first = NAME.match(text)
+    is_call = first is not None and text[first.end() :].lstrip().startswith("(")  # as inStream()
+    if first is None or is_call or found in model.flat["enum_literal_ordinals"]:
         return
     name, head = first[0].partition(".")[0], re.split(r"[.\[]", found)[0]
     is_component = "." not in found if instances is None else head in instances.members("")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import bisect
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Final
@@ -176,10 +177,13 @@ class Library:
         return True
 
     def _constant_of(self, name: str, owner: Class) -> Value:
+        if name in owner.literals:
+            return float(owner.literals.index(name) + 1)
         around, component = self.components(owner).get(name, (owner, None))
         is_modified = any(modifier.inner for one in self.lineage(owner) for _, modifier in one.bases)
         key = (id(around), name)
-        if component is None or owner.kind != "package" or is_modified or key in self._evaluating:
+        is_changed = is_modified or id(owner) in self._changed or id(around) in self._changed
+        if component is None or owner.kind != "package" or is_changed or key in self._evaluating:
             raise UnknownError
         if "constant" not in component.prefixes or component.prefixes & {"replaceable", "redeclare"}:
             raise UnknownError
@@ -188,6 +192,18 @@ class Library:
             return value_of(component.modifier.value, _Names(self, around))
         finally:
             self._evaluating.discard(key)
+
+    @cached_property
+    def _changed(self) -> Set[int]:
+        """The classes that others inherit with other values: what is in them depends on the heir."""
+        found: set[int] = set()
+        for heir in self.classes():
+            redeclares = any("redeclare" in one.prefixes for one in heir.components)
+            for name, modifier in heir.bases:
+                if modifier.inner or redeclares or not heir.is_certain:
+                    with suppress(UnknownError):
+                        found |= {id(one) for one in self.lineage(self.base(heir, name))}
+        return found
 
     def lineage(self, owner: Class) -> Iterator[Class]:
         """Yield a class and all its bases; raises `UnknownError` where one is not known."""

@@ -5,6 +5,7 @@ A class that is not understood is not certain, so that nothing is concluded from
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -98,6 +99,7 @@ class Class:
     imports: list[tuple[str, str]] = field(default_factory=list)
     dimensions: tuple[Tokens, ...] = ()
     sections: list[Section] = field(default_factory=list)
+    literals: tuple[str, ...] = ()
     tokens: Tokens = field(default=(), repr=False)
     file: int = 0
     start: int = 0
@@ -224,7 +226,7 @@ class _Parser:
         if self.here == "enumeration":
             found.is_enumeration = True
             self.take()
-            self._balanced()
+            found.literals = self._literals()
             return
         if self.here == "der":
             found.is_certain = False
@@ -235,6 +237,12 @@ class _Parser:
         found.prefixes |= frozenset(prefixes)
         found.dimensions = self._subscripts()
         found.bases.append((base, Modifier(inner=self._arguments() if self.here == "(" else {})))
+
+    def _literals(self) -> tuple[str, ...]:
+        """The names in an enumeration, which may have comments and annotations."""
+        inner = self._balanced()
+        names = [after for before, after in itertools.pairwise(inner) if before in "(,"]
+        return tuple(name for name in names if name.isidentifier()) if "annotation" not in inner else ()
 
     def _composition(self, found: Class) -> None:
         while True:

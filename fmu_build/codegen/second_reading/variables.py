@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import itertools
+import re
 from collections.abc import Iterator
+from typing import Final
 
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.instances import Instances, around
 
+_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
+
 
 def mistaken_variables(model: LoweredModel, instances: Instances) -> Iterator[str]:
-    """Yield the variables that are lost, that should not be there, or have other dimensions."""
+    """Yield the variables that are lost, that should not be there, or have other dimensions.
+
+    rumoca keeps some arrays of components as components of arrays, which are not compared.
+    """
     flat = model.flat["variables"]
     for name, leaf in instances.leaves.items():
-        if name not in flat:
+        if name not in flat and _SUBSCRIPTS.sub("", name) not in flat:
             yield f"the variable {name} is lost"
-        elif tuple(flat[name]["dims"]) != leaf.sizes:
+        elif name in flat and tuple(flat[name]["dims"]) != leaf.sizes:
             found, meant = (list(one) or "no dimensions" for one in (flat[name]["dims"], leaf.sizes))
             yield f"the sizes of {name} are {found} instead of {meant}"
     for name in flat:
-        # rumoca keeps some arrays of components as components of arrays.
         if name not in instances.leaves and not flat[name]["dims"]:
             yield from _not_meant(instances, name)
 

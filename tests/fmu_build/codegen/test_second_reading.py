@@ -326,7 +326,7 @@ _MISPLACED = {
     "the size of an array of components": (
         "",
         "S s[P.n]; Real q=sum(s.y);",
-        "the variable s[1].y is lost",
+        "s.y should not be there, because the sizes of s are [2]",
     ),
     "a size that is not known": (
         "type E = enumeration(a, b);",
