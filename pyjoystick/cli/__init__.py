@@ -19,7 +19,7 @@ from typer.core import TyperCommand
 
 from fmu_build.support.plain_help import PlainCommand, PlainGroup, ignore_impossible_width
 from pyjoystick import support
-from pyjoystick.cli.console import compilation_announced, print_error, print_traceback
+from pyjoystick.cli.console import compilation_announced, print_error, print_traceback, warnings_printed
 from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import PyJoystickError
 
@@ -204,6 +204,7 @@ def _options(
     if quiet and verbose:
         raise typer.BadParameter("use --quiet or --verbose, not both")
     invocation.debug, invocation.implausible, invocation.quiet = debug, implausible, quiet
+    context.with_resource(warnings_printed())
     if verbose:
         from pyjoystick.cli.logs import log_shown  # load it for --verbose only
 
