@@ -18,6 +18,7 @@ from fmu_build.explore import command as explore
 from fmu_build.packaging.platforms import ALL, PLATFORM_NAMES, select_platforms
 from fmu_build.support.plain_help import PlainCommand, ignore_impossible_width
 from fmu_build.support.request import SensitivityRequest
+from fmu_build.support.standard_output import closed_output_fails, lost_output
 
 _EXAMPLE = """
 Example:
@@ -188,8 +189,12 @@ class _Progress:
 
 
 def _fail(message: str) -> NoReturn:
-    _messages.print(f"[bold red]error:[/bold red] {escape(message)}")
+    _print_error(message)
     raise typer.Exit(1)
+
+
+def _print_error(message: str) -> None:
+    _messages.print(f"[bold red]error:[/bold red] {escape(message)}")
 
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="markdown")
@@ -211,14 +216,20 @@ def _run() -> int:
 
     signal.signal(signal.SIGTERM, terminate)
     try:
-        if sys.argv[1:2] == ["explore"]:
-            explore.app(sys.argv[2:], prog_name="python -m fmu_build explore")
-        else:
-            app(prog_name="python -m fmu_build")
+        with closed_output_fails():
+            if sys.argv[1:2] == ["explore"]:
+                explore.app(sys.argv[2:], prog_name="python -m fmu_build explore")
+            else:
+                app(prog_name="python -m fmu_build")
     except SystemExit as end:
         if terminated and end.code == _INTERRUPTED:
             return _TERMINATED
         raise
+    except OSError as error:
+        if not (lost := lost_output(error)):
+            raise
+        _print_error(lost)
+        return 1
     return 0
 
 

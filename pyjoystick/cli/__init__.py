@@ -8,7 +8,6 @@ on first use, so that the help of a command needs no numerical packages.
 
 from __future__ import annotations
 
-import errno
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -18,8 +17,9 @@ import typer
 from typer.core import TyperCommand
 
 from fmu_build.support.plain_help import PlainCommand, PlainGroup, ignore_impossible_width
+from fmu_build.support.standard_output import closed_output_fails, lost_output
 from pyjoystick import support
-from pyjoystick.cli.console import compilation_announced, print_error, print_traceback
+from pyjoystick.cli.console import compilation_announced, print_error, print_traceback, warnings_printed
 from pyjoystick.cli.invocation import invocation
 from pyjoystick.support import PyJoystickError
 
@@ -148,15 +148,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as error:
         return _failed(f"the current folder cannot be used: {error.strerror}")
     try:
-        app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
+        with closed_output_fails():
+            app(args=None if arguments is None else list(arguments), prog_name="pyjoystick")
     except SystemExit as stop:
         return stop.code if isinstance(stop.code, int) else int(stop.code is not None)
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a bug must not end in a traceback
-        if isinstance(error, OSError) and error.errno in (errno.ENOSPC, errno.EDQUOT):
-            where = error.filename or "standard output or a temporary file"
-            return _failed(f"cannot write {where}: {error.strerror}")
+        if isinstance(error, OSError) and (lost := lost_output(error)):
+            return _failed(lost)
         hint = "" if invocation.debug else " (pyjoystick --debug COMMAND shows where)"
         return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
     return 0
@@ -204,6 +204,7 @@ def _options(
     if quiet and verbose:
         raise typer.BadParameter("use --quiet or --verbose, not both")
     invocation.debug, invocation.implausible, invocation.quiet = debug, implausible, quiet
+    context.with_resource(warnings_printed())
     if verbose:
         from pyjoystick.cli.logs import log_shown  # load it for --verbose only
 

@@ -6,15 +6,16 @@ import logging
 import math
 import os
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rich.console import Console
 from rich.markup import escape
 
-from pyjoystick import model, support
+from pyjoystick import fmu, model, support
 from pyjoystick.cli.invocation import invocation
 
 if TYPE_CHECKING:
@@ -106,6 +107,23 @@ def compilation_announced() -> Iterator[None]:
     finally:
         _COMPILER.removeHandler(handler)
         _COMPILER.setLevel(before)
+
+
+@contextmanager
+def warnings_printed() -> Iterator[None]:
+    """Print the warnings of runs, until the body ends, as `print_warning` does; each message once."""
+    show_others = warnings.showwarning
+
+    def show(message: Warning | str, category: type[Warning], *place: Any, **where: Any) -> None:
+        if not issubclass(category, fmu.NotFiniteWarning):
+            show_others(message, category, *place, **where)
+        elif str(message) not in invocation.notes:
+            print_warning(str(message))
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always", fmu.NotFiniteWarning)
+        warnings.showwarning = show
+        yield
 
 
 def print_log(name: str, message: str) -> None:

@@ -98,8 +98,20 @@ def run(
     ] = None,
     columns: Annotated[list[str] | None, options.column("time, theta, omega or alpha")] = None,
     units: options.Units = None,
-    rate: options.Rate = _PAPER.rate,
-    cutoff: options.Cutoff = _PAPER.low_pass.cutoff,
+    rate: Annotated[
+        float | None,
+        typer.Option(
+            "--rate", metavar="HZ", help=f"Sampling rate after interpolation. Default: {_PAPER.rate:g}."
+        ),
+    ] = None,
+    cutoff: Annotated[
+        float | None,
+        typer.Option(
+            "--cutoff",
+            metavar="HZ",
+            help=f"Cut-off frequency of the Butterworth filter. Default: {_PAPER.low_pass.cutoff:g}.",
+        ),
+    ] = None,
     damping: Annotated[
         model.LawName | None,
         typer.Option("--damping", help="Damping law. Default: all laws of --parameters."),
@@ -119,7 +131,15 @@ def run(
     csv: Annotated[Path | None, options.csv("motion, torque and its parts")] = None,
     json: Annotated[Path | None, options.json("all numbers")] = None,
     plot: Annotated[Path | None, options.plot("the torque and its parts (Fig. 15)")] = None,
-    output_interval: options.OutputInterval = support.DEFAULT_OUTPUT_INTERVAL,
+    output_interval: Annotated[
+        float | None,
+        typer.Option(
+            "--output-interval",
+            metavar="SECONDS",
+            help="Time between two rows of the result for a motion in closed form. Default: "
+            f"{support.DEFAULT_OUTPUT_INTERVAL:g}.",
+        ),
+    ] = None,
 ) -> None:
     """Compute the torque that a motion requires (eq. 13) with the inverse FMUs: parts, force, work, shares.
 
@@ -132,13 +152,20 @@ def run(
     changes = parsing.parse_assignments(assignments, "--set")
     joysticks = torque_results.joysticks_of(file, damping, changes)
     if record is None:
-        parsing.refuse_given("is for a measured motion", {"--column": columns, "--unit": units})
-        chosen = torque_results.in_closed_form(_motion(given), output_interval)
+        of_a_file = {"--column": columns, "--unit": units, "--rate": rate, "--cutoff": cutoff}
+        parsing.refuse_given("is for a measured motion", of_a_file)
+        interval = support.DEFAULT_OUTPUT_INTERVAL if output_interval is None else output_interval
+        chosen = torque_results.in_closed_form(_motion(given), interval)
     else:
+        of_closed_form = {option: given[name] for name, option in _OPTIONS.items()}
         reason = "is for a motion in closed form, and MOTION.csv is a measured one"
-        parsing.refuse_given(reason, {option: given[name] for name, option in _OPTIONS.items()})
-        chain = laboratory.Chain(rate=rate, low_pass=laboratory.LowPass(cutoff=cutoff))
-        chosen = torque_results.from_file(record, chain, **parsing.parse_headings(columns, units))
+        parsing.refuse_given(reason, {**of_closed_form, "--output-interval": output_interval})
+        chosen = torque_results.from_file(
+            record, _chain(rate, cutoff), **parsing.parse_headings(columns, units)
+        )
+        if not chosen.description["differentiated"]:
+            reason = "is for a motion without omega or alpha, and MOTION.csv has both"
+            parsing.refuse_given(reason, {"--rate": rate, "--cutoff": cutoff})
     for note in chosen.notes:
         print_warning(note)
     with progress_console().status("computing"):
@@ -150,6 +177,12 @@ def run(
     write_json(json, lambda notes: torque_results.as_json(chosen, joysticks, results, notes))
     tables = {law: result.table for law, result in results.items()}
     write_plot(plot, lambda: forced_motion.plot_torque(tables))
+
+
+def _chain(rate: float | None, cutoff: float | None) -> laboratory.Chain:
+    """The paper's signal chain with these settings; raises ParameterError."""
+    low_pass = _PAPER.low_pass if cutoff is None else laboratory.LowPass(cutoff=cutoff)
+    return laboratory.Chain(rate=_PAPER.rate if rate is None else rate, low_pass=low_pass)
 
 
 def _motion(given: Mapping[str, Any]) -> forced_motion.ForwardAndReturn:

@@ -18,6 +18,7 @@ from .errors import (
     FmuRunError as FmuRunError,
     FmuTimeLimitError as FmuTimeLimitError,
     FmuTrapError as FmuTrapError,
+    NotFiniteWarning as NotFiniteWarning,
     StepperEndedError as StepperEndedError,
     UnsupportedFmuError as UnsupportedFmuError,
 )

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.errors import FmuEndedError, FmuFileError
+from pyjoystick.fmu.not_finite import first_not_finite
 from pyjoystick.fmu.own_process.runner import RemoteRunner
 from pyjoystick.fmu.reductions import Reduction, not_finite
 from pyjoystick.fmu.runner import Job, Runner, Samples
@@ -44,7 +45,8 @@ class BatchResult(Shown):
     Attributes:
         parameters: the varied parameters, one column per name, with the index of the given table
         values: samples, shape (runs, samples, variables); NaN in runs that failed or were not done, and after
-            the end of runs that the FMU terminated; None if the runs were reduced
+            the end of runs that the FMU terminated, but not in runs that failed because results are not
+            finite; None if the runs were reduced
         reduced: results of the reductions, one column each, indexed as `parameters`, NaN as in `values`; its
             ``attrs["units"]`` has the unit of each column. None if there are no reductions.
         messages: empty for a successful run, else when and why it failed, with the FMU's messages
@@ -82,7 +84,7 @@ class Batch:
         done: shape (runs,), set by the loop during its work
     """
 
-    def __init__(self, new_runner: NewRunner, job: Job, values: FloatArray) -> None:
+    def __init__(self, new_runner: NewRunner, job: Job, values: FloatArray, outputs: Sequence[str]) -> None:
         """Prepare the batch.
 
         Args:
@@ -90,10 +92,12 @@ class Batch:
             job: the runs
             values: samples of all runs, shape (runs, samples, variables), or shape (0, samples, variables) if
                 each thread needs room for one run only
+            outputs: names of the variables
         """
         self._new_runner = new_runner
         self._job = job
         self._values = values
+        self._outputs = outputs
         runs = len(job.rows)
         self.messages = [""] * runs
         self.failed = np.zeros(runs, np.bool_)
@@ -136,8 +140,8 @@ class Batch:
             self._fail_what_is_left()
         return is_stopped
 
-    def fail_not_finite(self, reductions: Sequence[Reduction]) -> None:
-        """Fail the finished runs with results that are not finite, because outputs of the FMU are not."""
+    def fail_reductions_not_finite(self, reductions: Sequence[Reduction]) -> None:
+        """Fail the finished runs with reductions that are not finite, because outputs of the FMU are not."""
         cells = self._job.cells
         for run, column in not_finite(reductions, cells).items():
             if self.done[run] and not self.failed[run]:
@@ -187,7 +191,10 @@ class Batch:
         try:
             values = self._values if len(self._values) else np.empty((1, *self._values.shape[1:]))
             while (piece := self._piece()) is not None:
-                self._run_piece(runner, *piece, values)
+                try:
+                    self._run_piece(runner, *piece, values)
+                finally:
+                    self._fail_samples_not_finite(*piece)
         except FmuFileError as error:  # a broken instance could not be replaced
             self._refusal = str(error)
         except BaseException as error:  # handed over to the calling thread
@@ -231,6 +238,20 @@ class Batch:
             run, error = runner.failure(status)
             self._mark_failed(run, str(error), error.samples if isinstance(error, FmuEndedError) else None)
             first = run + 1
+
+    def _fail_samples_not_finite(self, first: int, last: int) -> None:
+        """Fail the finished runs of a piece with samples that are not finite; their samples are kept.
+
+        The threads do this, because it takes a hundredth of the time of a run.
+        """
+        samples = self._values[first:last]  # empty if the runs are reduced
+        for i in np.flatnonzero(~np.isfinite(samples).all(axis=(1, 2))):
+            run = first + int(i)
+            if self.done[run] and not self.failed[run]:
+                columns = dict(zip(self._outputs, samples[i].T, strict=True))
+                said = first_not_finite(self._job.instants, columns)
+                self.messages[run] = f"results are not finite: {said}"
+                self.failed[run] = True
 
     def _mark_failed(self, run: int, message: str, samples: Samples | None = None) -> None:
         if len(self._values):

@@ -20,6 +20,7 @@ from pyjoystick.fmu.files import find_fmu
 from pyjoystick.fmu.inputs import Inputs
 from pyjoystick.fmu.library import InstancePool
 from pyjoystick.fmu.linearization import Linearization, linearize
+from pyjoystick.fmu.not_finite import warn_not_finite
 from pyjoystick.fmu.own_process.pool import ProcessPool, new_pool
 from pyjoystick.fmu.plan import Plan
 from pyjoystick.fmu.sandbox.pool import SandboxPool
@@ -160,6 +161,9 @@ class Fmu(Shown):
             `make_table` describes where the units are; ``attrs["left_out"]`` names outputs that a table
             cannot hold (binary data, clocks) and that were therefore omitted by default.
 
+        Warns:
+            NotFiniteWarning: results are NaN or infinite
+
         Raises:
             UnknownParameterError, UnknownInputError, UnknownVariableError: the FMU has no such name
             ParameterError, SeriesError: a value or series is not allowed
@@ -175,10 +179,12 @@ class Fmu(Shown):
             outputs = [variable.name for variable in recorded]
         plan = self.plan(time, parameters=parameters, inputs=inputs, outputs=outputs, tolerance=tolerance)
         try:
-            table = _table(plan, plan.time, plan.record())
+            samples = _columns(plan, plan.record())
         except FmuEndedError as error:
-            error.samples = _table(plan, error.samples.instants, error.samples.raw)
+            error.samples = _table(plan, error.samples.instants, _columns(plan, error.samples.raw))
             raise
+        warn_not_finite(self.description.path, plan.time, samples)
+        table = _table(plan, plan.time, samples)
         if left_out:
             table.attrs["left_out"] = list(left_out)
         return table
@@ -346,9 +352,12 @@ def _without_none(values: Mapping[str, _V] | None) -> Mapping[str, _V]:
     return {} if values is None else values  # a table has no truth value for `or`
 
 
-def _table(plan: Plan, time: FloatArray, samples: NDArray[np.void]) -> pd.DataFrame:
-    columns = {
+def _columns(plan: Plan, samples: NDArray[np.void]) -> dict[str, NDArray[Any]]:
+    return {
         variable.name: samples[variable.name] != 0 if variable.type == "Boolean" else samples[variable.name]
         for variable in plan.variables
     }
+
+
+def _table(plan: Plan, time: FloatArray, columns: Mapping[str, NDArray[Any]]) -> pd.DataFrame:
     return make_table(time, columns, [variable.quantity for variable in plan.variables])

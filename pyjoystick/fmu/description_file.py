@@ -61,25 +61,28 @@ def _co_simulation(path: Path) -> Mapping[str, str]:
 
     FMPy reads the whole description, which takes minutes for a huge one. This function therefore checks it
     first, and raises FmuFileError for an unknown FMI version, too many variables, or one whose name is
-    missing or another's.
+    missing or another's. Elements count at their place in the standard only: annotations of tools may contain
+    elements of any name.
     """
-    is_known, found = False, {}
+    found: dict[str, str] = {}
     variables: set[str] = set()
+    parents: list[str] = []  # of the element that begins, from the root on
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        nonlocal is_known, found
-        if not is_known:
+        nonlocal found
+        if not parents:
             _require_known_version(path, name, attributes)
-            is_known = True
-        if name == "CoSimulation":
+        elif len(parents) == 1 and name == "CoSimulation":
             found = attributes
-        if name == "ScalarVariable" or {"valueReference", "name"} <= attributes.keys():
+        elif parents[1:] == ["ModelVariables"]:
             _require_own_name(path, attributes, variables)
             variables.add(attributes["name"])
             require_at_most(path, "declares {} variables or more", len(variables), MOST_VARIABLES)
+        parents.append(name)
 
     parser = expat.ParserCreate()
     parser.StartElementHandler = start
+    parser.EndElementHandler = lambda _: parents.pop()
     with zipfile.ZipFile(path) as archive, archive.open("modelDescription.xml") as file:
         parser.ParseFile(file)
     return found

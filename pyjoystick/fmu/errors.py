@@ -95,3 +95,7 @@ class FmuMemoryError(FmuTrapError):
 
 class FmuTimeLimitError(FmuRunError):
     """A run exceeded its time limit and was stopped."""
+
+
+class NotFiniteWarning(RuntimeWarning):
+    """Results of a run are NaN or infinite; the message names FMU, variables and times."""

@@ -21,6 +21,7 @@ from pyjoystick.fmu.inputs import Inputs, InputTable, checked_inputs
 from pyjoystick.fmu.instance import Instance
 from pyjoystick.fmu.interface import c_interface
 from pyjoystick.fmu.library import FmuLibrary
+from pyjoystick.fmu.not_finite import warn_not_finite
 from pyjoystick.fmu.own_process.pool import is_apart, run_apart
 from pyjoystick.fmu.values import INTEGERS, REALS, Value, checked_outputs, checked_parameters
 from pyjoystick.motion import make_table
@@ -68,6 +69,9 @@ def run_model_exchange(
     Returns:
         a table as from `Fmu.run`
 
+    Warns:
+        NotFiniteWarning: results are NaN or infinite
+
     Raises:
         ParameterError: the time is not equally spaced, or as in `Fmu.run`
         UnknownNameError, SeriesError: as in `Fmu.run`
@@ -95,6 +99,8 @@ def run_model_exchange(
         given = {"time": instants, "parameters": parameters, "inputs": inputs, "tolerance": tolerance}
         names = [variable.name for variable in recorded]
         found: pd.DataFrame = run_apart(description, time_limit, given | {"outputs": names})
+        # The warning of the other process reached nobody.
+        warn_not_finite(description.path, instants, {name: found[name].to_numpy() for name in names})
         return found
     with ExitStack() as stack:
         library = FmuLibrary(description, "ModelExchange")
@@ -127,6 +133,7 @@ def run_model_exchange(
     if len(rows) != len(instants):
         end, samples = float(rows["time"][-1]), make_table(rows["time"], columns, quantities)
         raise FmuEndedError(end, THE_END, description.path, (), samples)
+    warn_not_finite(description.path, instants, columns)
     return make_table(instants, columns, quantities)
 
 

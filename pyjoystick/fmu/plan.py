@@ -125,7 +125,8 @@ class Plan:
 
         Returns:
             the samples, shape (samples, variables), in the units of the FMU; Booleans are 0 and 1, and
-            integers beyond 2^53 are rounded
+            integers beyond 2^53 are rounded. Unlike `Fmu.run`, it does not warn of samples that are NaN or
+            infinite: searches call it for values that lead there.
 
         Raises:
             ParameterError: a value is missing, NaN, of the wrong type or out of range, or an output is text
@@ -228,14 +229,14 @@ class Plan:
         self._require_rates(kept or (), numbers)
         job = self._job(self._rows(numbers), len(columns), stop)
         _LOG.debug("%d runs of %s on at most %d instances", runs, self._pool.description.path.name, count)
-        batch = Batch(self._new_runner(job, operations, load_compiler=True), job, values)
+        batch = Batch(self._new_runner(job, operations, load_compiler=True), job, values, self.outputs)
         interrupted = batch.carry_out(count, on_progress) if runs else False
         values[~batch.done[: len(values)]] = np.nan
         reduced = None
         if kept is not None:
             import pandas as pd  # see `tables.make_table`
 
-            batch.fail_not_finite(kept)
+            batch.fail_reductions_not_finite(kept)
             reduced = pd.DataFrame(job.cells, index=named.index, columns=columns)
             reduced.attrs["units"] = units_of(kept, self.units)
         return BatchResult(

@@ -95,7 +95,8 @@ def _difference(table: pd.DataFrame, against: pd.DataFrame, name: str, limit: fl
     if unit and other_unit and unit != other_unit:
         raise ParameterError(f"unit of {name}", unit, other_unit)
     values, expected = _exact(table[name]), _exact(against[name])
-    distance = np.abs(values - expected).astype(np.float64)
+    with np.errstate(invalid="ignore"):  # infinity minus infinity is NaN, which no limit allows
+        distance = np.abs(values - expected).astype(np.float64)
     place = int(np.argmax(distance))  # the first NaN if there is one
     largest = float(distance[place])
     magnitude = float(np.max(np.abs(expected)))

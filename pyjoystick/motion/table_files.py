@@ -124,7 +124,8 @@ def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
 def read_table_file(path: Path) -> TableFile:
     """Read a table of columns separated by commas, semicolons or tabs, with headings first.
 
-    Lines that begin with # are comments anywhere; empty lines are skipped.
+    Lines that begin with # are comments anywhere; empty lines are skipped, and rows without a cell that is
+    filled, such as spreadsheets write below a table.
 
     Raises:
         RecordError: the file cannot be read, is not UTF-8 text, has no headings or no rows, or a row is
@@ -187,8 +188,13 @@ def _numbered(lines: Iterable[str]) -> Iterator[tuple[int, str]]:
 
 
 def _filled(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
-    """The lines that are neither empty nor comments."""
-    return ((number, line) for number, line in lines if line.strip() and not line.startswith(_COMMENT))
+    """The lines that are neither without content nor comments."""
+    return ((number, line) for number, line in lines if not is_blank(line) and not line.startswith(_COMMENT))
+
+
+def is_blank(line: str, delimiters: str = DELIMITERS) -> bool:
+    """Whether a line has nothing but spaces and delimiters."""
+    return not line.strip(f" {delimiters}")
 
 
 def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:

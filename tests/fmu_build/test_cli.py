@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import signal
@@ -17,7 +18,7 @@ from typer.testing import CliRunner
 
 import fmu_build
 from fmu_build import UnknownCompilerError, build_fmu, compilers
-from fmu_build.__main__ import app
+from fmu_build.__main__ import _run as program, app
 from fmu_build.support.errors import ModelicaError
 from fmu_build.support.request import BuildRequest, BuildResult, SensitivityRequest
 
@@ -106,6 +107,28 @@ def test_a_build_error_is_one_message(monkeypatch: pytest.MonkeyPatch, tmp_path:
     assert result.stdout == ""
     assert result.stderr.splitlines()[-1] == "error: M.mo:3:14: unexpected `2`"
     assert [r.model for r in compiler.requests] == ["M"]
+
+
+@pytest.mark.parametrize("arguments", [("M", "-o", "."), ("--help",), ("explore", "--help")])
+@pytest.mark.parametrize("is_closed", [True, False])
+def test_a_standard_output_that_takes_nothing_is_no_success(
+    is_closed: bool,
+    arguments: tuple[str, ...],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """It is closed, or open for reading only."""
+    _use(monkeypatch)
+    monkeypatch.setattr(sys, "argv", ["fmu_build", *arguments])
+    with Path(os.devnull).open(encoding="utf-8") as unwritable:
+        output = None if is_closed else io.TextIOWrapper(io.FileIO(unwritable.fileno(), "w", closefd=False))
+        monkeypatch.setattr(sys, "stdout", output)
+        assert program() == 1
+        if output is not None:
+            output.detach()
+    last = capsys.readouterr().err.splitlines()[-1]
+    reason = "standard output: it is closed" if is_closed else "standard output or a temporary file: Bad file"
+    assert last.startswith(f"error: cannot write {reason}")
 
 
 def test_an_unforeseen_error_is_one_message_too(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

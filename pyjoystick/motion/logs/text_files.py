@@ -14,7 +14,7 @@ from pyjoystick.motion.logs.grid import Candidate, Row, find_table
 from pyjoystick.motion.logs.headings import meaning, understood
 from pyjoystick.motion.logs.layout import Layout
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.table_files import cells_of_line
+from pyjoystick.motion.table_files import cells_of_line, is_blank
 
 _DELIMITERS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": " "}
 _REMARKS: Final = ("#", "%", "//")
@@ -108,6 +108,9 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
     lines = _after_labview_headers(path, [(number, line) for number, line in lines if not _is_remark(line)])
     comments = tuple(line.strip() for _, line in remarks)
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
+    # Spreadsheets write rows of delimiters below a table. Between samples, they are samples without a number.
+    while lines and is_blank(lines[-1][1], "".join(_DELIMITERS.values()) + given):
+        lines.pop()
     found: list[Candidate] = []
     for one in [given] if given else _DELIMITERS.values():
         # Tables with other delimiters contain spaces too: they separate only if nothing else does.

@@ -48,6 +48,14 @@ def test_two_fmus_that_part(command: Command, first: str, second: str) -> None:
     assert [row[-1] for row in _rows(outcome.out, "integral")] == ["ok", "1.0e-04"]
 
 
+def test_results_that_are_not_finite_are_told_once(command: Command, first: str) -> None:
+    settings = ("--set", "own=1e308", "--set", "x=5", "--variable", "inside", "--json", "a.json")
+    outcome = command("compare", first, first, *settings, "--limit", "inside=1", "--cs-limit", "inside=1")
+    message = "First.fmu: results are not finite: inside is inf at t = 0 s"
+    assert [line for line in outcome.err.splitlines() if "finite" in line] == [message]
+    assert message in json.loads(Path("a.json").read_text())["notes"]
+
+
 def test_limits(command: Command, first: str, second: str) -> None:
     assert command("compare", first, second, *SAME, "--limit", "x=2e-3").code == 0
     assert command("compare", first, second, *SAME, "--relative-limit", "2e-3").code == 0

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -58,6 +61,39 @@ def test_a_full_disk_behind_standard_output_is_no_fault(arguments: tuple[str, ..
     assert ended.returncode == 1
     message = "error: cannot write standard output or a temporary file: No space left on device"
     assert ended.stderr.splitlines()[-1] == message
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+@pytest.mark.parametrize(
+    ("arguments", "redirection", "reason"),
+    [
+        (("parameters", "--json", "-"), ">&-", "standard output: it is closed"),
+        (("parameters",), ">&-", "standard output: it is closed"),
+        (("--version",), ">&-", "standard output: it is closed"),
+        (("info", "--help"), ">&-", "standard output: it is closed"),
+        (("parameters",), "1</dev/null", ".*: Bad file descriptor"),
+    ],
+)
+def test_a_standard_output_that_takes_nothing_is_no_success(
+    arguments: tuple[str, ...], redirection: str, reason: str
+) -> None:
+    call = shlex.join([sys.executable, "-m", "pyjoystick", *arguments])
+    ended = subprocess.run(
+        ["sh", "-c", f"{call} {redirection}"], stderr=subprocess.PIPE, text=True, check=False
+    )
+    assert ended.returncode == 1
+    assert re.fullmatch(f"error: cannot write {reason}", ended.stderr.splitlines()[-1])
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a POSIX shell")
+def test_no_file_takes_the_place_of_a_closed_standard_output(tmp_path: Path) -> None:
+    """What a library prints would end up in it."""
+    program = (
+        "import sys; from pyjoystick.cli import main; main(['--version']); "
+        f"sys.exit(open({str(tmp_path / 'file')!r}, 'w').fileno() == 1)"
+    )
+    call = shlex.join([sys.executable, "-c", program])
+    assert subprocess.run(["sh", "-c", f"{call} >&-"], check=False).returncode == 0
 
 
 def test_a_fault_of_the_program_is_one_message(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:

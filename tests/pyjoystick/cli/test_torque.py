@@ -16,6 +16,7 @@ from pyjoystick.model import NOMINAL
 from tests.pyjoystick.cli.conftest import Command
 
 MOTION = ForwardAndReturn(amplitude=math.radians(15.0), rise=0.15)
+_UNITS = {"time": "s", "theta": "rad", "omega": "rad/s", "alpha": "rad/s2"}
 
 
 def _rows(out: str) -> dict[str, list[str]]:
@@ -77,6 +78,25 @@ def test_a_measured_motion(command: Command, tmp_path: Path) -> None:
     assert json.loads((tmp_path / "a.json").read_text())["motion"]["differentiated"] is True
 
 
+def test_settings_of_the_filter_are_refused_where_nothing_is_filtered(
+    command: Command, tmp_path: Path
+) -> None:
+    fine = Samples.evenly(MOTION, 1e-4)
+    columns = {f"{name} ({unit})": getattr(fine, name) for name, unit in _UNITS.items()}
+    pd.DataFrame(columns).to_csv(tmp_path / "m.csv", index=False)
+    pd.DataFrame(columns).drop(columns="alpha (rad/s2)").to_csv(tmp_path / "a.csv", index=False)
+    for option, other in (("--rate", "500"), ("--cutoff", "20")):
+        refused = command("torque", "m.csv", option, other)
+        assert (refused.code, refused.out) == (2, "")
+        message = (
+            f"Invalid value for {option}: is for a motion without omega or alpha, and MOTION.csv has both"
+        )
+        assert message in " ".join(refused.err.replace("│", " ").split())
+        assert command("torque", "a.csv", option, other).code == 0
+    assert "filtered at 20 Hz" in command("torque", "a.csv", "--cutoff", "20").err
+    assert command("torque", "a.csv", "--cutoff", "-5").message.startswith("cutoff = -5.0: must be")
+
+
 def test_parameters_and_the_place_of_the_hand(command: Command) -> None:
     plain = _rows(command("torque", "--damping", "constant").out)
     lower = _rows(command("torque", "--damping", "constant", "--pivot-to-handle", "0.133").out)
@@ -104,6 +124,13 @@ def test_parameters_and_the_place_of_the_hand(command: Command) -> None:
         ),
         (("--flat", "0.5"), "Invalid value for --flat: is for --shape trapezoid"),
         (("--unit", "theta=deg"), "Invalid value for --unit: is for a measured motion"),
+        (("--rate", "0"), "Invalid value for --rate: is for a measured motion"),
+        (("--rate", "600", "--cutoff", "-5"), "Invalid value for --rate: is for a measured motion"),
+        (("--cutoff", "13"), "Invalid value for --cutoff: is for a measured motion"),
+        (
+            ("m.csv", "--output-interval", "1"),
+            "Invalid value for --output-interval: is for a motion in closed",
+        ),
         (("m.csv", "--dwell", "1"), "Invalid value for --dwell: is for a motion in closed form"),
         (("--damping", "cubic"), "'cubic' is not one of"),
     ],

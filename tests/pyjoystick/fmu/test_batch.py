@@ -115,6 +115,21 @@ def test_failures_of_every_kind_are_rows(awkward_fmu: Fmu, loop: str) -> None:
                 np.testing.assert_allclose(batch.values[gain, :, 0], gain * TIME, rtol=1e-14)
 
 
+@pytest.mark.parametrize("own_process", [False, True])
+def test_samples_that_are_not_finite_are_failures(awkward_path: Path, own_process: bool, loop: str) -> None:
+    """They are kept: what else the run has may be right."""
+    instants = np.linspace(0.0, 3.0, 7)
+    with Fmu(awkward_path, own_process=own_process) as fmu:
+        plan = fmu.plan(instants, varied="gain", inputs={"u": 1.0}, outputs=["u", "y"])
+        for threads in (1, 2):
+            batch = plan.run_batch([[1.0], [1e308], [2.0]] * 40, threads=threads)
+            assert batch.failed.tolist() == [False, True, False] * 40
+            assert batch.messages == ["", "results are not finite: y is inf at t = 2 s", ""] * 40
+            assert batch.done.all()
+            assert batch.values is not None
+            assert batch.values[1, :, 1].tolist() == [0.0, 0.5e308, 1e308, 1.5e308, *[math.inf] * 3]
+
+
 def test_messages_belong_to_their_run(awkward_fmu: Fmu, loop: str) -> None:
     """Warnings of the runs before, in the same piece of work, are not told."""
     plan = awkward_fmu.plan(TIME, varied=("trouble", "when"), outputs="y")

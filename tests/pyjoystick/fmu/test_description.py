@@ -69,6 +69,64 @@ def test_model_exchange_only_and_fmi_3_can_be_read(joystick_path: Path, tmp_path
     assert read_description(path).fmi_version == "3.0"
 
 
+#: What the annotation of a tool may contain: names that mean something elsewhere.
+_OF_A_TOOL = (
+    '<CoSimulation providesAdjointDerivatives="true" modelIdentifier="no"/>'
+    '<ModelVariables><Float64 name="a" valueReference="0"/><ScalarVariable/></ModelVariables>'
+    '<curve name="a" valueReference="0"/><curve name="a" valueReference="0"/>'
+    '<curve name="" valueReference="1"/>'
+)
+
+
+def _annotated(version: str, text: str) -> str:
+    """The description with annotations at all places of its version of the standard."""
+    if version == "3.0":
+        note = f'<Annotations><Annotation type="t">{_OF_A_TOOL}</Annotation></Annotations>'
+        text = text.replace('causality="independent"/>', f'causality="independent">{note}</Float64>')
+        return text.replace('modelIdentifier="M"/>', f'modelIdentifier="M">{note}</CoSimulation>{note}')
+    tool = f'<Tool name="t">{_OF_A_TOOL}</Tool>'
+    text = text.replace("</ScalarVariable>", f"<Annotations>{tool}</Annotations></ScalarVariable>", 1)
+    return text.replace(
+        "<ModelVariables>", f"<VendorAnnotations>{tool}</VendorAnnotations><ModelVariables>", 1
+    )
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_annotations_declare_nothing(version: str, joystick_path: Path, tmp_path: Path) -> None:
+    plain = (
+        FMI_3 if version == "3.0" else zipfile.ZipFile(joystick_path).read("modelDescription.xml").decode()
+    )
+    text = _annotated(version, plain)
+    assert text.count(_OF_A_TOOL) == (3 if version == "3.0" else 2)
+    found = [
+        read_description(
+            doctored(joystick_path, tmp_path / f"{name}.fmu", description=lambda _, text=text: text)
+        )
+        for name, text in (("plain", plain), ("annotated", text))
+    ]
+    assert found[0].variables == found[1].variables
+    assert found[0].interfaces == found[1].interfaces
+    assert [one.directional_derivatives for one in found] == [version == "2.0"] * 2
+    assert not any(one.adjoint_derivatives for one in found)
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        ('<Float64 name="time" valueReference="1"/>', "two variables .* have the name 'time'"),
+        ('<Float64 valueReference="1"/>', "variable 2 in its modelDescription.xml has no name"),
+        ('<Float64 name="x"/>', "variable 'x' .* has no valueReference"),
+    ],
+)
+def test_variables_of_fmi_3_that_cannot_be_told_apart(
+    more: str, message: str, joystick_path: Path, tmp_path: Path
+) -> None:
+    text = FMI_3.replace("</ModelVariables>", f"{more}</ModelVariables>")
+    path = doctored(joystick_path, tmp_path / "odd.fmu", description=lambda _: text)
+    with pytest.raises(FmuFileError, match=rf"odd\.fmu: {message}"):
+        read_description(path)
+
+
 def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
     path = tmp_path / "notes.fmu"
     path.write_text("not an FMU")

@@ -113,6 +113,20 @@ def test_brackets_may_be_part_of_a_name(tmp_path: Path) -> None:
     assert {name: values[0] for name, values in file.read(columns).items()} == {"x[1]": 1.0, "x[2]": 0.002}
 
 
+def test_rows_of_empty_cells_are_no_rows(tmp_path: Path) -> None:
+    """Spreadsheets write them around a table."""
+    file = read_table_file(_file(tmp_path, ",\n\ntime (s),theta (rad)\n,\n1,2\n , \n3,4\n,\n,\n"))
+    series = file.read([TIME, ANGLE])
+    assert {name: values.tolist() for name, values in series.items()} == {
+        "time": [1.0, 3.0],
+        "theta": [2.0, 4.0],
+    }
+    assert file.rows.tolist() == [5, 7]
+    assert file.head.line == 3
+    with pytest.raises(RecordError, match="has no rows under a heading"):
+        read_table_file(_file(tmp_path, "time (s),theta (rad)\n,\n"))
+
+
 def test_an_empty_cell_at_the_end_of_a_row_is_a_cell(tmp_path: Path) -> None:
     file = read_table_file(_file(tmp_path, "theta (rad)\tremark\n1\t\n\t\n2\tgood\n"))
     assert file.texts(file.head.headings[1]) == ["", "good"]

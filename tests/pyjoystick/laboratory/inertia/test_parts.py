@@ -87,6 +87,8 @@ def test_a_file(tmp_path: Path) -> None:
     path.write_text(FILE, encoding="utf-8")
     parts = read_parts(path)
     assert [part.name for part in parts] == ["shaft", "grip", "cam"]
+    path.write_text(FILE + ";;;;;;\n" * 3, encoding="utf-8")  # as spreadsheets do
+    assert read_parts(path) == parts
     assert parts[1].mass == Measured(0.5, 0.002)
     assert parts[2].height == Measured(-0.01, pytest.approx(0.0002))
     assert parts[0].inertia == Measured(pytest.approx(1e-3))

@@ -122,6 +122,8 @@ READ: dict[str, tuple[str, str, bool]] = {
         True,
     ),
     "padded preamble": (_german(before="Bench;;\nRate;250;\nDate;2026;\n"), "utf-8", True),
+    "empty cells below": (_german() + ";;\n;;\n# exported\n;;\n", "utf-8", True),
+    "empty cells with other delimiters below": (_german() + ",,,\n", "utf-8", True),
     "sep line": (_german(before="sep=;\n"), "utf-8", True),
     "units below": (
         text(("Time", "Angle", "Torque"), ["s", *TIME], ["deg", *ANGLE], ["N.m", *TORQUE]),

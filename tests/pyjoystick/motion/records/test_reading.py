@@ -116,6 +116,15 @@ def test_missing_numbers_are_refused_with_their_rows(tmp_path: Path, cell: str) 
     assert f"rows 12-14, 42: samples without a finite number (found {cell or 'nothing'})" in str(error)
 
 
+def test_empty_cells_below_the_table_are_no_samples(tmp_path: Path) -> None:
+    table = rows(*motion()[:2])
+    plain = read_record(write(tmp_path / "plain.csv", table))
+    padded = read_record(write(tmp_path / "padded.csv", [*table, ["", ""], ["", ""]]))
+    assert padded.theta.tolist() == plain.theta.tolist()
+    table[40] = ["", ""]
+    assert _refusal(write(tmp_path / "inside.csv", table)).rows == (42,)
+
+
 def test_repeated_times_are_refused(tmp_path: Path) -> None:
     table = rows(*motion()[:2])
     table[20][0] = table[19][0]
