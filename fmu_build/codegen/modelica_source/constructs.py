@@ -110,6 +110,14 @@ class ModelText:
         )
 
     @cached_property
+    def component_classes(self) -> frozenset[str]:
+        """The simple names of the models, blocks, connectors and records."""
+        kinds = ("model", "block", "class", "connector", "record")
+        return frozenset(
+            name.rpartition(".")[2] for name, kind in self._kinds.items() if kind.endswith(kinds)
+        )
+
+    @cached_property
     def array_types(self) -> frozenset[str]:
         """The simple names of types and connectors that are arrays of a computed size, as ``Real[n]``."""
         return self._simple_names(_ARRAY_TYPE)

@@ -23,10 +23,10 @@ class Meaning:
     """The explanation of a message.
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
-    the source, most likely first, in which NAME stands for the group ``name``, and RECORD, ENUMERATION,
-    ARRAYTYPE and FUNCTION for the simple name of any record, enumeration, type that is an array of computed
-    size, and function of arrays. `called` is set if the explanation begins with the construct itself; it
-    replaces the construct if several different ones match.
+    the source, most likely first, in which NAME stands for the group ``name``, and RECORD, CLASS,
+    ENUMERATION, ARRAYTYPE and FUNCTION for the simple name of any record, class with components,
+    enumeration, type that is an array of computed size, and function of arrays. `called` is set if the
+    explanation begins with the construct itself; it replaces the construct if several different ones match.
     """
 
     message: str
@@ -61,6 +61,7 @@ class Meaning:
             "RECORD": _any_of(source.records),
             "ENUMERATION": _any_of(source.enumerations),
             "ARRAYTYPE": _any_of(source.array_types),
+            "CLASS": _any_of(source.component_classes),
             "FUNCTION": _any_of(source.functions_of_arrays),
         }
         return re.sub("|".join(stands_for), lambda found: stands_for[found[0]], pattern)
