@@ -118,6 +118,15 @@ class ModelText:
         )
 
     @cached_property
+    def flow_connectors(self) -> frozenset[str]:
+        """The simple names of the connectors that have flow variables, or that inherit and may have some."""
+        return frozenset(
+            name.rpartition(".")[2]
+            for name, kind in self._kinds.items()
+            if kind.endswith("connector") and re.search(r"\b(?:flow|extends)\b", self._classes[name])
+        )
+
+    @cached_property
     def array_types(self) -> frozenset[str]:
         """The simple names of types and connectors that are arrays of a computed size, as ``Real[n]``."""
         return self._simple_names(_ARRAY_TYPE)

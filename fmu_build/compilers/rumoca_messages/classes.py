@@ -7,6 +7,13 @@ from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 _UNBALANCED = rf"connector '{QUALIFIED}' is unbalanced: (?P<count>[^\[\n]*?) *(?:\(MLS|\[|\n|$)"
 
+_CONDITION = r"conditional component `(?P<name>\w+)` requires parameter expression"
+_CONDITIONAL = r"(?<![\w.])NAME\s*(?:\([^;]*\)\s*)?\bif\b"
+_NOT_EVALUATED = (
+    "the condition of {name} is not evaluated; supported are parameters of the model and of its components, "
+    "but not arrays, sizes, constants of packages, or the order or numbers of enumerations"
+)
+
 CLASSES = (
     Meaning(
         _UNBALANCED,
@@ -42,20 +49,24 @@ CLASSES = (
         only_there=True,
     ),
     Meaning(
-        r"conditional component `(?P<name>\w+)` requires parameter expression",
+        _CONDITION,
         UnsupportedModelError,
-        "the condition of {name} is not evaluated; supported are parameters of the model and of its "
-        "components, but no arrays, sizes, constants of packages, and order or numbers of enumerations",
-        (
-            r"(?<![\w.])NAME\s*(?:\([^;]*\)\s*)?\bif\b[^;]*?(?:\[|\b(?:size|sum|Integer)\s*\(|\w\s*\.\s*[A-Za-z])[^;]*",
-        ),
+        _NOT_EVALUATED,
+        (rf"{_CONDITIONAL}[^;]*?(?:\[|\b(?:size|sum|Integer)\s*\(|\w\s*\.\s*[A-Za-z])[^;]*",),
         only_there=True,
     ),
     Meaning(
-        r"conditional component `(?P<name>\w+)` requires parameter expression",
+        _CONDITION,
+        UnsupportedModelError,
+        _NOT_EVALUATED,
+        (rf"{_CONDITIONAL}[^;]*",),
+        needs=rf"\bconstant\s+\w+\s+(?=(\w+)\b[\s\S]{{0,4000}}?{_CONDITIONAL}[^;]*\b\1\b)",
+    ),
+    Meaning(
+        _CONDITION,
         ModelicaError,
         "the condition of {name} must consist of constants, and of parameters that have a value",
-        (r"(?<![\w.])NAME\s*(?:\([^;]*\)\s*)?\bif\b[^;]*",),
+        (rf"{_CONDITIONAL}[^;]*",),
     ),
     Meaning(
         r"`(?P<name>\w+)` has 0 dimension\(s\) but is subscripted",

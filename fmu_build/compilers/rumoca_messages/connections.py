@@ -142,5 +142,16 @@ CONNECTIONS_AND_COUNTS = (
         ),
         only_there=True,
     ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it counts one too many for a protected connector: connect a "
+        "component instead",
+        (
+            r"\bprotected\b(?:(?!\b(?:public|equation|algorithm|model|block|end)\b)[\s\S])*?"
+            r"(?<![\w.])(?:\w+\.)*FLOWCONNECTOR\s+\w+",
+        ),
+        only_there=True,
+    ),
     Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
 )

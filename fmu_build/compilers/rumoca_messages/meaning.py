@@ -24,9 +24,10 @@ class Meaning:
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
     the source, most likely first, in which NAME stands for the group ``name``, and RECORD, CLASS,
-    ENUMERATION, ARRAYTYPE and FUNCTION for the simple name of any record, class with components,
-    enumeration, type that is an array of computed size, and function of arrays. `called` is set if the
-    explanation begins with the construct itself; it replaces the construct if several different ones match.
+    FLOWCONNECTOR, ENUMERATION, ARRAYTYPE and FUNCTION for the simple name of any record, class with
+    components, connector with flow variables, enumeration, type that is an array of computed size, and
+    function of arrays. `called` is set if the explanation begins with the construct itself; it replaces the
+    construct if several different ones match.
     """
 
     message: str
@@ -61,6 +62,7 @@ class Meaning:
             "RECORD": _any_of(source.records),
             "ENUMERATION": _any_of(source.enumerations),
             "ARRAYTYPE": _any_of(source.array_types),
+            "FLOWCONNECTOR": _any_of(source.flow_connectors),
             "CLASS": _any_of(source.component_classes),
             "FUNCTION": _any_of(source.functions_of_arrays),
         }

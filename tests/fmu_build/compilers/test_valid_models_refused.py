@@ -75,6 +75,11 @@ _VALID = {
         f"{_S} model M package K constant Boolean b = true; end K; S s if K.b; end M;",
         _CONDITION,
     ),
+    "a constant of the package around in a condition": (
+        f"{_S} package P constant Boolean on = true; model T S s if on; end T; end P; "
+        "model M extends P.T; end M;",
+        _CONDITION,
+    ),
     "a loop over a constant of a package": (
         f"{_C} model M {_LOOP.format('P.n')}",
         "the range 1:P.n of a loop over connections is not evaluated; use numbers",
@@ -104,6 +109,12 @@ _VALID = {
     "arrays in an array of components": (
         "model C Real y[2]; end C; model M C a[2]; equation a.y = {{1, 2}, {3, 4}}*time; end M;",
         "it miscounts equations for an array that is a member of an array of components",
+    ),
+    "a protected connector": (
+        "connector H Real t; flow Real q; end H; model K H h; equation h.t = 4; end K; "
+        "model C H h; protected H i; equation connect(h, i); i.q = -5; end C; "
+        "model M C c; K k; equation connect(c.h, k.h); end M;",
+        "as the compiler counts them; it counts one too many for a protected connector: connect a component",
     ),
     "a slice in a connection": (
         f"{_G} model M S s; G g[2]; equation connect(s.y[2:3], g.u); end M;",
