@@ -18,6 +18,7 @@ from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.not_discrete import reject_continuous_definitions
 from fmu_build.codegen.record_constructors import mistaken_constructors
 from fmu_build.codegen.second_reading.check import reject_other_values
+from fmu_build.codegen.unguarded_assignments import reject_unguarded_assignments
 
 
 def reject_unsupported(model: LoweredModel) -> None:
@@ -29,6 +30,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     _reject_repeated_assignments(model)
     _reject_overridden_branches(model)
     _reject_unguarded_actions(model)
+    reject_unguarded_assignments(model)
     _reject_repeated_samples(model)
     _reject_conditions_of_their_results(model)
     _reject_reordered_arguments(model)

@@ -6,7 +6,7 @@ import os
 import re
 import sys
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -33,7 +33,6 @@ _SIZE = re.compile(
     r"unevaluable array dimensions for '(?P<name>[^']*)': dimension expression could not be evaluated: "
     r"\[(?:Expression\()?(?P<size>.*?)\)?\]"
 )
-_FUNCTION_TYPES = re.compile(r"type mismatch: expected `[^`]+`, found `[^`]+`")
 _PHASE = re.compile(r"^\w+ failed: \S+ failed in \w+: ")
 _OWNER = re.compile(r"unsupported Flat semantic owner `([^`]*)`: ")
 
@@ -96,13 +95,9 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
         if syntax is not None:
             return ModelicaError(syntax)
     message = _PHASE.sub("", text)
-    places = [f"{match['place']}: {match['text'].strip()}" for match in _LOCATED.finditer(message)]
-    if places:
-        if _SIZE.search(message):
-            return UnsupportedModelError(_SIZE.sub(_unknown_size, "\n".join(places)))
-        if _FUNCTION_TYPES.search(message):
-            return _explained(message, model, file, files) or ModelicaError("\n".join(places))
-        return ModelicaError("\n".join(places))
+    errors = [(match["place"], match["text"].strip()) for match in _LOCATED.finditer(message)]
+    if errors:
+        return _of_places(errors, model, file, files)
     message = message.partition("\nRelated failures")[0]
     message = message.removeprefix(f"{model} could not be compiled: ")
     explained = _explained(message, model, file, files)
@@ -117,14 +112,35 @@ def _translated(text: str, model: str, file: Path, files: Iterable[Path]) -> Bui
     return error(located(what, [construct.place for construct in found], model, file))
 
 
-def _explained(message: str, model: str, file: Path, files: Iterable[Path]) -> BuildError | None:
-    """Return the error for a message that has a meaning, with the places of what may have caused it."""
+def _of_places(
+    errors: Sequence[tuple[str, str]], model: str, file: Path, files: Iterable[Path]
+) -> BuildError:
+    """Return the error for messages with their places: one of the source, unless rumoca is wrong in all."""
+    if any(_SIZE.search(text) for _, text in errors):
+        lines = [f"{place}: {text}" for place, text in errors]
+        return UnsupportedModelError(_SIZE.sub(_unknown_size, "\n".join(lines)))
+    explained = [_explained(text, model, file, files, place) for place, text in errors]
+    unsupported = [one for one in explained if isinstance(one, UnsupportedModelError)]
+    if len(unsupported) == len(errors):
+        return unsupported[0]
+    return ModelicaError("\n".join(f"{place}: {text}" for place, text in errors))
+
+
+def _explained(
+    message: str, model: str, file: Path, files: Iterable[Path], place: str | None = None
+) -> BuildError | None:
+    """Return the error for a message that has a meaning, with the places of what may have caused it.
+
+    `place` is the one that rumoca gives, which decides between several.
+    """
     source = ModelText(model, {file: read_text(file) for file in files})
     meaning = meaning_of(message, source)
     if meaning is None:
         return None
     found = meaning.search(message, source)
     what = meaning.text(message, found)
+    if place is not None and len(found) != 1:
+        return meaning.error(f"{place}: {what}")
     return meaning.error(located(what, [construct.place for construct in found], model, file))
 
 

@@ -14,6 +14,10 @@ from fmu_build.codegen.modelica_source.places import Place, place_at
 from fmu_build.codegen.modelica_source.text import blanked, declarations
 
 _ARRAY_INPUT = re.compile(r"\binput\s+[\w.]+\s*(?:\w+\s*)?\[")
+_ARRAY_TYPE = re.compile(
+    r"\A\s*(?:type|connector)\s+\w+\s*=\s*(?:(?:input|output|flow)\s+)?[\w.]+\s*\[[^\]]*[A-Za-z]"
+)
+_ENUMERATION = re.compile(r"\A\s*type\s+\w+\s*=\s*enumeration\b")
 _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
 
@@ -104,6 +108,37 @@ class ModelText:
             for name, kind in self._kinds.items()
             if kind.endswith("function") and _ARRAY_INPUT.search(self._classes[name])
         )
+
+    @cached_property
+    def component_classes(self) -> frozenset[str]:
+        """The simple names of the models, blocks, connectors and records."""
+        kinds = ("model", "block", "class", "connector", "record")
+        return frozenset(
+            name.rpartition(".")[2] for name, kind in self._kinds.items() if kind.endswith(kinds)
+        )
+
+    @cached_property
+    def flow_connectors(self) -> frozenset[str]:
+        """The simple names of the connectors that have flow variables, or that inherit and may have some."""
+        return frozenset(
+            name.rpartition(".")[2]
+            for name, kind in self._kinds.items()
+            if kind.endswith("connector") and re.search(r"\b(?:flow|extends)\b", self._classes[name])
+        )
+
+    @cached_property
+    def array_types(self) -> frozenset[str]:
+        """The simple names of types and connectors that are arrays of a computed size, as ``Real[n]``."""
+        return self._simple_names(_ARRAY_TYPE)
+
+    @cached_property
+    def enumerations(self) -> frozenset[str]:
+        """The simple names of the enumerations."""
+        return self._simple_names(_ENUMERATION)
+
+    def _simple_names(self, pattern: re.Pattern[str]) -> frozenset[str]:
+        found = (name for name, text in self._classes.items() if pattern.search(text))
+        return frozenset(name.rpartition(".")[2] for name in found)
 
     def classes(self) -> list[str]:
         """Return the texts of all classes, without comments and strings."""

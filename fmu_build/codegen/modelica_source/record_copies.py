@@ -23,6 +23,10 @@ _VALUE = re.compile(
 _ARRAY_VALUE = re.compile(r"\s*=(?!=)\s*(?:fill\s*(?=\()|(?=\{))")
 #: A component whose elements get their records from an array: rumoca binds these correctly.
 _ARRAY = re.compile(rf"{NAME}\s*\[[^\[\]]*\]\s*\(")
+#: The name of a class or of an import, which is given a class and not a record.
+_CLASS_NAME = re.compile(
+    rf"\b(?:import|package|model|block|class|record|type|connector|function)\s+{NAME}(?=\s*=(?!=))"
+)
 _SECTION = re.compile(r"\b(equation|algorithm|public|protected)\b")
 _ALIAS = rf"\bimport\s+(?P<name>{NAME})\s*=\s*(?:{NAME}\s*\.\s*)*(?:CLASSES)\s*;"
 
@@ -59,7 +63,7 @@ def _record_classes(texts: Iterable[str]) -> set[str]:
 
 
 def _in_parentheses(text: str, given: re.Pattern[str], named: re.Pattern[str]) -> str:
-    plain = blanked(text)
+    plain = _CLASS_NAME.sub(lambda found: " " * len(found[0]), blanked(text))
     places = {
         place
         for first, last in _declaring(text, plain)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from fmu_build.compilers.rumoca_messages.meaning import QUALIFIED, Meaning
+from fmu_build.compilers.rumoca_messages.meaning import Meaning
 from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 _UNBALANCED = r"unbalanced model: \d+ equations, \d+ unknowns"
@@ -115,11 +115,43 @@ CONNECTIONS_AND_COUNTS = (
         (r"(?<![\w.])(?:\w+\.)*\w+\s*\[(?=[^\[\]]*(?:\{|:[^\[\]:]*:|:\s*end\b)[^\[\]]*\]\s*=(?!=))",),
         only_there=True,
     ),
-    Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
     Meaning(
-        rf"(?P<all>connector '{QUALIFIED}' is unbalanced: .*)",
-        ModelicaError,
-        "{all}",
-        (r"\bconnector\s+NAME\b",),
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts connections of a slice with a member of an array "
+        "of components without a subscript; give both a subscript, as in connect(s.y[2:3], g[1:2].u)",
+        (r"\bconnect\s*\((?=[^;]*\[[^\];]*:[^\];]*\])[^;]*(?=;)",),
+        only_there=True,
     ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts a matrix of components whose modifier has "
+        "iterators: write the values out, as {{{{1, 1}}, {{2, 2}}}}",
+        (r"\w\s*\[[^\[\];]*,[^\[\];]*\]\s*\((?=[^;]*\{\s*\{[^;]*\bfor\b)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations for an array that is a member of an "
+        "array of components: write one for each element",
+        (
+            r"\b[\w.]+\s+(?=(\w+)\s*\[[^\[\]]*\][^;]*;[\s\S]{0,4000}?"
+            r"(?<![\w.])\1\s*\.\s*\w+\s*=\s*(?:\{\s*\{|\[|\w+\s*\.|fill\s*\())",
+        ),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "{all}, as the compiler counts them; it counts one too many for a protected connector: connect a "
+        "component instead",
+        (
+            r"\bprotected\b(?:(?!\b(?:public|equation|algorithm|model|block|end)\b)[\s\S])*?"
+            r"(?<![\w.])(?:\w+\.)*FLOWCONNECTOR\s+\w+",
+        ),
+        only_there=True,
+    ),
+    Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
 )

@@ -37,13 +37,6 @@ DECLARATIONS = (
         (),
     ),
     Meaning(
-        r"conditional component `(?P<name>\w+)` requires parameter expression",
-        UnsupportedModelError,
-        "the condition of {name} is not evaluated; supported are parameters that are no arrays",
-        (r"(?<![\w.])NAME\s+if\b[^;]*\[", r"(?<![\w.])NAME\s+if\b[^;]*"),
-        only_there=True,
-    ),
-    Meaning(
         r"unresolved Flat reference `\w+`|an assertion level must name a predefined",
         UnsupportedModelError,
         "the level of an assertion cannot be a parameter; write AssertionLevel.error or .warning",

@@ -148,6 +148,14 @@ FUNCTIONS = (
         (r"\balgorithm\b",),
     ),
     Meaning(
+        r"missing exact function-selection identity for `(?:[^`]*\.)?(?P<name>\w+)`",
+        ModelicaError,
+        "{name} is called as a function, but is a model",
+        (r"(?<![\w.])(?:\w+\.)*NAME\s*(?=\()(?=[^;]*;)",),
+        only_there=True,
+        needs=r"\b(?:model|block)\s+NAME\b",
+    ),
+    Meaning(
         r"missing exact function-selection identity",
         UnsupportedModelError,
         "which function is called through a redeclared class is not clear here; write its full name",

@@ -23,9 +23,11 @@ class Meaning:
     """The explanation of a message.
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
-    the source, most likely first, in which NAME stands for the group ``name``, RECORD for the simple name of
-    any record and FUNCTION for that of any function of arrays. `called` is set if the explanation begins with
-    the construct itself; it replaces the construct if several different ones match.
+    the source, most likely first, in which NAME stands for the group ``name``, and RECORD, CLASS,
+    FLOWCONNECTOR, ENUMERATION, ARRAYTYPE and FUNCTION for the simple name of any record, class with
+    components, connector with flow variables, enumeration, type that is an array of computed size, and
+    function of arrays. `called` is set if the explanation begins with the construct itself; it replaces the
+    construct if several different ones match.
     """
 
     message: str
@@ -35,20 +37,36 @@ class Meaning:
     called: str = ""
     only_there: bool = False
     """Whether the explanation applies only if one of the constructs occurs in the source."""
+    needs: str = ""
+    """A pattern that must occur in the source as well, if the explanation is to apply."""
+
+    def applies(self, message: str, source: ModelText) -> bool:
+        """Return whether this explains the message about this source."""
+        if not re.search(self.message, message):
+            return False
+        has_construct = not self.only_there or bool(self.search(message, source))
+        return has_construct and (
+            not self.needs or bool(source.find([self._filled(self.needs, message, source)]))
+        )
 
     def search(self, message: str, source: ModelText) -> list[Construct]:
         """Return the constructs in the source that may have caused the message."""
+        return source.find([self._filled(one, message, source) for one in self.constructs])
+
+    def _filled(self, pattern: str, message: str, source: ModelText) -> str:
+        """Return a pattern with what its placeholders stand for."""
         match = re.search(self.message, message)
-        name = re.escape(match.groupdict().get("name") or "") if match is not None else ""
+        name = match.groupdict().get("name") if match is not None else None
         stands_for = {
-            "NAME": name,
+            "NAME": re.escape(name or ""),
             "RECORD": _any_of(source.records),
+            "ENUMERATION": _any_of(source.enumerations),
+            "ARRAYTYPE": _any_of(source.array_types),
+            "FLOWCONNECTOR": _any_of(source.flow_connectors),
+            "CLASS": _any_of(source.component_classes),
             "FUNCTION": _any_of(source.functions_of_arrays),
         }
-        placeholder = re.compile("|".join(stands_for))
-        return source.find(
-            [placeholder.sub(lambda found: stands_for[found[0]], one) for one in self.constructs]
-        )
+        return re.sub("|".join(stands_for), lambda found: stands_for[found[0]], pattern)
 
     def text(self, message: str, found: Sequence[Construct]) -> str:
         """Return the explanation, given the constructs found."""

@@ -254,7 +254,7 @@ _CASES = {
         "parameter Boolean u[2] = {true, false}; Real y if u[1];",
         "",
         UnsupportedModelError,
-        "M.mo:2:48: the condition of y is not evaluated; supported are parameters that are no arrays",
+        "M.mo:2:48: the condition of y is not evaluated; supported are parameters of the model and of its",
     ),
     "a function of the iterator of a sum": Case(
         _function("y := 2*x;") + " Real z = sum(f(i*time) for i in 1:3);",

@@ -194,3 +194,12 @@ def test_values_that_would_be_lost_are_refused(classes: str, message: str, tmp_p
 )
 def test_others_of_the_same_name_are_none_of_it(classes: str, tmp_path: Path) -> None:
     build_fmu("P.M", tmp_path, library=_library(tmp_path, classes))
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["import a = K;", "package a = K;", "C c(redeclare package a = K);", "replaceable model\n  a = K;"],
+)
+def test_a_class_with_the_name_of_a_record_is_none(given: str) -> None:
+    texts = {Path("P.mo"): f"{_CLASSES} package K end K; model M {given} end M;"}
+    assert with_records_in_parentheses(texts)[Path("P.mo")].endswith(f"model M {given} end M;")

@@ -1,0 +1,171 @@
+"""Valid models that rumoca calls wrong are told to be unsupported; wrong ones remain errors of the source."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.errors import BuildError, ModelicaError, UnsupportedModelError
+from fmu_build.support.request import BuildRequest
+
+_V = "model V P p; equation p.v = 6; end V; model M V v; end M;"
+_S = "model S parameter Real k = 1; Real y = k*time; end S; "
+_C = "connector C Real v; flow Real i; end C; package P constant Integer n = 2; end P; "
+_LOOP = "C a[2]; C p; equation for i in 1:{} loop connect(p, a[i]); end for; end M;"
+_G = "block G input Real u; output Real y = u; end G; block S output Real y[3] = {1, 2, 3}*time; end S; "
+_K = "package K constant Real k = 4; end K; "
+_A = "package A0 constant Real k = 4; end A0; package A extends A0; end A; "
+_CONNECTOR = "connector P is taken for unbalanced, 1 flow variable(s) vs "
+_CONDITION = "the condition of s is not evaluated"
+
+_VALID = {
+    "a connector with a base": (
+        "partial connector P0 Real v; end P0; connector P extends P0; flow Real i; end P;" + _V,
+        _CONNECTOR + "0 potential variable(s): ",
+    ),
+    "a parameter in a connector": (
+        "connector P parameter Real q = 1; Real v; flow Real i; end P;" + _V,
+        "M.mo:1:1: the " + _CONNECTOR + "2",
+    ),
+    "a constant in a connector": (
+        "connector P constant Real q = 1; Real v; flow Real i; end P;" + _V,
+        _CONNECTOR + "2",
+    ),
+    "an input in a connector": (
+        "connector P input Real q; Real v; flow Real i; end P;" + _V,
+        _CONNECTOR + "2",
+    ),
+    "arrays in a connector": (
+        "connector P Real v[3]; flow Real f[2]; flow Real g; end P; model M P p; end M;",
+        "the connector P is taken for unbalanced, 2 flow variable(s) vs 1 potential variable(s): ",
+    ),
+    "an import of which nothing is used": (
+        _K + "model M import K.*; Real y = time; end M;",
+        "M.mo:1:47: import K.* is not supported where the model uses no name of K",
+    ),
+    "an import of inherited names": (
+        _A + "model M import A.*; Real y = k; end M;",
+        "import A.* is not supported where the model uses no name of A, or only inherited ones",
+    ),
+    "an import of an inherited name": (
+        _A + "model M import A.k; Real y = k; end M;",
+        "the import of A.k, a name that the package inherits, is not supported; write the full name",
+    ),
+    "a type with a computed size": (
+        "package P constant Integer n = 2; type V = Real[n]; model B V v; equation v[1] = time; v[2] = 1; "
+        "end B; end P; model M P.B b; end M;",
+        "v has a type that is an array, whose size the compiler does not find",
+    ),
+    "the size of a type": (
+        "package P constant Integer n = 2; connector V = output Real[n]; end P; "
+        "model A P.V y; Real z = size(y, 1); equation y = {1, 2}; end A; model M A a; end M;",
+        "the compiler does not find the size of a type that is an array",
+    ),
+    "an enumeration in a condition": (
+        f"{_S} model M type E = enumeration(a, b); parameter E e = E.b; S s if e > E.a; end M;",
+        _CONDITION,
+    ),
+    "a size in a condition": (
+        f"{_S} model M parameter Real v[:] = {{1, 2}}; S s(k = 2) if size(v, 1) > 1; end M;",
+        _CONDITION,
+    ),
+    "a constant of a package in a condition": (
+        f"{_S} model M package K constant Boolean b = true; end K; S s if K.b; end M;",
+        _CONDITION,
+    ),
+    "a constant of the package around in a condition": (
+        f"{_S} package P constant Boolean on = true; model T S s if on; end T; end P; "
+        "model M extends P.T; end M;",
+        _CONDITION,
+    ),
+    "a loop over a constant of a package": (
+        f"{_C} model M {_LOOP.format('P.n')}",
+        "the range 1:P.n of a loop over connections is not evaluated; use numbers",
+    ),
+    "a loop over an imported constant": (
+        f"{_C} model M import P.n; {_LOOP.format('n')}",
+        "the range 1:n of a loop over connections is not evaluated",
+    ),
+    "a loop over a computed parameter": (
+        f"{_C} model M parameter Integer n = P.n; {_LOOP.format('n')}",
+        "the range 1:n of a loop over connections is not evaluated",
+    ),
+    "a loop over a size": (
+        f"{_C} model M parameter Real r[:] = {{1, 2}}; {_LOOP.format('size(r, 1)')}",
+        "the range 1:size(r, 1) of a loop over connections is not evaluated",
+    ),
+    "a redeclared array with a computed size": (
+        f"{_C} {_S} model T extends S; end T; model D replaceable S s[P.n]; end D; "
+        "model M D d(redeclare T s[P.n]); end M;",
+        "the size of the array s is not evaluated in a redeclaration",
+    ),
+    "iterators in a matrix of components": (
+        "model C parameter Integer i; Real y; equation y = i; end C; "
+        "model M C a[2, 2](i = {{i for j in 1:2} for i in 1:2}); end M;",
+        "as the compiler counts them; it miscounts a matrix of components whose modifier has iterators",
+    ),
+    "arrays in an array of components": (
+        "model C Real y[2]; end C; model M C a[2]; equation a.y = {{1, 2}, {3, 4}}*time; end M;",
+        "it miscounts equations for an array that is a member of an array of components",
+    ),
+    "a protected connector": (
+        "connector H Real t; flow Real q; end H; model K H h; equation h.t = 4; end K; "
+        "model C H h; protected H i; equation connect(h, i); i.q = -5; end C; "
+        "model M C c; K k; equation connect(c.h, k.h); end M;",
+        "as the compiler counts them; it counts one too many for a protected connector: connect a component",
+    ),
+    "a slice in a connection": (
+        f"{_G} model M S s; G g[2]; equation connect(s.y[2:3], g.u); end M;",
+        "it miscounts connections of a slice with a member of an array of components without a subscript",
+    ),
+}
+
+_WRONG = {
+    "an unbalanced connector": ("connector P Real v; Real w; flow Real i; end P;" + _V, "'P' is unbalanced"),
+    "an import of a package that does not exist": ("model M import K.*; Real y = time; end M;", "'K.*'"),
+    "an import of a name that does not exist": (
+        _K + "model M import K.c; Real y = time; end M;",
+        "unresolved import: 'K.c'",
+    ),
+    "a subscript of a scalar": ("model M Real v; equation v[1] = time; end M;", "`v` has 0 dimension"),
+    "a wrong name beside a type with a computed size": (
+        "package P constant Integer n = 2; type V = Real[n]; model B V v; Real z = v[1] + true; "
+        "equation v = {1, 2}; end B; end P; model M P.B b; end M;",
+        "operator `+`",
+    ),
+    "a condition that changes": (
+        f"{_S} model M Real x = time; S s if x > 1; end M;",
+        "the condition of s must consist of constants, and of parameters that have a value",
+    ),
+    "a loop over a variable": (
+        f"{_C} model M Integer n = integer(time) + 1; {_LOOP.format('n')}",
+        "the range 1:n of a loop over connections must consist of numbers, parameters and constants",
+    ),
+    "too few equations": (
+        "model C Real y[2]; end C; model M C a[2]; Real x; equation a[1].y = {1, 2}; end M;",
+        "unbalanced model",
+    ),
+}
+
+
+def _refused(source: str, folder: Path) -> BuildError:
+    (folder / "M.mo").write_text(source)
+    with pytest.raises(BuildError) as caught:
+        generate_model(BuildRequest("M", folder, folder / "M.mo"))
+    return caught.value
+
+
+@pytest.mark.parametrize(("source", "message"), _VALID.values(), ids=list(_VALID))
+def test_valid(source: str, message: str, tmp_path: Path) -> None:
+    error = _refused(source, tmp_path)
+    assert type(error) is UnsupportedModelError, error
+    assert message in str(error)
+
+
+@pytest.mark.parametrize(("source", "message"), _WRONG.values(), ids=list(_WRONG))
+def test_wrong(source: str, message: str, tmp_path: Path) -> None:
+    error = _refused(source, tmp_path)
+    assert type(error) is ModelicaError, error
+    assert message in str(error)
