@@ -19,14 +19,15 @@ from fmu_build.codegen.modelica_source.clauses import component_clauses
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.codegen.modelica_source.modifiers import assigned, closing, values
+from fmu_build.codegen.modelica_source.text import REDECLARE
 
 _KIND = r"(?:model|block|class|package|connector|record|function|type)"
 _OUTER_CLASS = rf"\bouter\s+(?:replaceable\s+)?(?:partial\s+)?(?={_KIND}\s+\w)"
 _ALIAS = re.compile(r"\b(?:package|import)\s+(?P<name>\w+)\s*=\s*(?P<meaning>[\w.]+\s*\(?)")
-_REDECLARED_FUNCTION = r"\bredeclare\s+(?:replaceable\s+)?function\s+(?:extends\s+)?(\w+)"
+_REDECLARED_FUNCTION = rf"{REDECLARE}function\s+(?:extends\s+)?(\w+)"
 _GLOBAL = r"(?<![\w.\]')])(?<![\w.\]')]\s)\.\s*[A-Za-z_]\w*"
 _OF_ITSELF = (
-    r"\bredeclare\s+(?:replaceable\s+)?(?:model|block|record|class|type|connector)\s+(\w+)\s*=\s*"
+    rf"{REDECLARE}(?:model|block|record|class|type|connector)\s+(\w+)\s*=\s*"
     r"\1\b(?!\s*\.)"
 )
 _SHORT = re.compile(r"[\w\s]+=\s*(?:\w+\s*\.\s*)*(?P<base>\w+)\s*(?:\[[^\]]*\]\s*)?\(")

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.modifiers import Path, assigned, closing
+from fmu_build.codegen.modelica_source.text import REDECLARE
 
 _KIND = r"(?:model|block|record|type|package|class|function|connector)"
 _ARRAY = r"(?:\[[^\]]*\]\s*)?"
@@ -20,13 +21,13 @@ _CLASS = rf"{_KIND}\s+(?P<class>\w+)\s*=\s*[\w.]+\s*{_ARRAY}\(?"
 PREFIXES = r"(?:(?:final|inner|outer|parameter|constant|discrete|input|output|flow|stream)\s+)*"
 _NAMED = rf"{PREFIXES}(?!{_KIND}\b|replaceable\b)[\w.]+\s+(?P<component>\w+)\s*{_ARRAY}"
 _COMPONENT = rf"{_NAMED}\(?"
-_REDECLARE = rf"redeclare\s+(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
+_REDECLARATION = rf"{REDECLARE}(?:{_CLASS}|{_COMPONENT})"
 _DECLARATION = rf"(?:redeclare\s+)?(?:replaceable\s+)?(?:{_CLASS}|{_COMPONENT})"
 _ARGUMENT = r"(?<=[(,])\s*(?:(?:each|final)\s+)*"
-_IN_A_MODIFIER = rf"{_ARGUMENT}{_REDECLARE}"
+_IN_A_MODIFIER = rf"{_ARGUMENT}{_REDECLARATION}"
 #: The modifiers may be nested once.
-_VALUE = rf"{_ARGUMENT}redeclare\s+(?:replaceable\s+)?{_NAMED}(?:\((?:[^()]|\([^()]*\))*\)\s*)?=(?!=)"
-_AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARE}"
+_VALUE = rf"{_ARGUMENT}{REDECLARE}{_NAMED}(?:\((?:[^()]|\([^()]*\))*\)\s*)?=(?!=)"
+_AS_AN_ELEMENT = rf"(?<![(,\s])(?<!\beach)(?<!\bfinal)\s+{_REDECLARATION}"
 
 
 def changed_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
@@ -44,7 +45,7 @@ def changed_modifiers(text: ModelText) -> Iterator[tuple[str, Construct]]:
     ]
     declared = _declarations(text) if redeclarations else {}
     for redeclaration, in_a_modifier in redeclarations:
-        found = re.search(_REDECLARE, redeclaration.plain)
+        found = re.search(_REDECLARATION, redeclaration.plain)
         assert found is not None  # by the pattern
         is_kept = in_a_modifier and found["component"] is not None
         now = _modifiers(redeclaration.plain[found.start() :])

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 STRING = r'"(?:[^"\\]|\\.)*"'
+REDECLARE = r"\bredeclare\s+(?:(?:each|final|inner|outer|replaceable)\s+)*"
+"""A pattern of what stands before a redeclared class or component."""
 
 _SKIPPED = re.compile(rf"('(?:[^'\\\n]|\\.)*')|{STRING}|//[^\n]*|/\*.*?\*/", re.DOTALL)
 _TOKEN = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_][A-Za-z0-9_]*|[=;.]")

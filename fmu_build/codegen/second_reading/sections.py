@@ -94,11 +94,21 @@ class _Reader:
     def _branches(self) -> Branches:
         found = []
         while self.here != "end":
-            condition = self._until("then") if self._take() != "else" else ()
+            condition = self._condition() if self._take() != "else" else ()
             self._take_if("then")
             found.append((condition, tuple(self.statements(frozenset(("elseif", "else", "end"))))))
         self._until(";")
         return Branches(tuple(found))
+
+    def _condition(self) -> Tokens:
+        """The tokens up to the ``then`` of the equation, with those of if-expressions."""
+        first, thens = self._place, 1
+        while True:
+            self._until("if", "elseif", "then")
+            thens += -1 if self.here == "then" else 1
+            if not thens:
+                return self._section.tokens[first : self._place]
+            self._take()
 
     def _loop(self) -> Loop:
         iterators = []

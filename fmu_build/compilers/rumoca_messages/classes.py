@@ -11,7 +11,7 @@ _CONDITION = r"conditional component `(?P<name>\w+)` requires parameter expressi
 _CONDITIONAL = r"(?<![\w.])NAME\s*(?:\([^;]*\)\s*)?\bif\b"
 _NOT_EVALUATED = (
     "the condition of {name} is not evaluated; supported are parameters of the model and of its components, "
-    "but not arrays, sizes, constants of packages, or the order or numbers of enumerations"
+    "but not arrays, sizes, functions, constants of packages, or the order or numbers of enumerations"
 )
 
 CLASSES = (
@@ -50,24 +50,13 @@ CLASSES = (
     ),
     Meaning(
         _CONDITION,
-        UnsupportedModelError,
-        _NOT_EVALUATED,
-        (rf"{_CONDITIONAL}[^;]*?(?:\[|\b(?:size|sum|Integer)\s*\(|\w\s*\.\s*[A-Za-z])[^;]*",),
-        only_there=True,
-    ),
-    Meaning(
-        _CONDITION,
-        UnsupportedModelError,
-        _NOT_EVALUATED,
-        (rf"{_CONDITIONAL}[^;]*",),
-        needs=rf"\bconstant\s+\w+\s+(?=(\w+)\b[\s\S]{{0,4000}}?{_CONDITIONAL}[^;]*\b\1\b)",
-    ),
-    Meaning(
-        _CONDITION,
         ModelicaError,
-        "the condition of {name} must consist of constants, and of parameters that have a value",
+        "the condition of {name} must consist of constants and parameters",
         (rf"{_CONDITIONAL}[^;]*",),
+        needs=rf"(?<!parameter )(?<!constant )\b(?:Real|Integer|Boolean)\s+"
+        rf"(?=(\w+)\b[\s\S]{{0,4000}}?{_CONDITIONAL}[^;]*(?<![\w.])\1\b)",
     ),
+    Meaning(_CONDITION, UnsupportedModelError, _NOT_EVALUATED, (rf"{_CONDITIONAL}[^;]*",)),
     Meaning(
         r"`(?P<name>\w+)` has 0 dimension\(s\) but is subscripted",
         UnsupportedModelError,

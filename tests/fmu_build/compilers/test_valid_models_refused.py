@@ -71,6 +71,15 @@ _VALID = {
         f"{_S} model M parameter Real v[:] = {{1, 2}}; S s(k = 2) if size(v, 1) > 1; end M;",
         _CONDITION,
     ),
+    "a parameter that is a size in a condition": (
+        f"{_S} model M parameter Real v[:] = {{1, 2}}; parameter Integer n = size(v, 1); "
+        "S s if n > 1; end M;",
+        _CONDITION,
+    ),
+    "a function in a condition": (
+        f"{_S} model M parameter Integer n = 2; S s if noEvent(n > 1); end M;",
+        _CONDITION,
+    ),
     "a constant of a package in a condition": (
         f"{_S} model M package K constant Boolean b = true; end K; S s if K.b; end M;",
         _CONDITION,
@@ -137,7 +146,7 @@ _WRONG = {
     ),
     "a condition that changes": (
         f"{_S} model M Real x = time; S s if x > 1; end M;",
-        "the condition of s must consist of constants, and of parameters that have a value",
+        "the condition of s must consist of constants and parameters",
     ),
     "a loop over a variable": (
         f"{_C} model M Integer n = integer(time) + 1; {_LOOP.format('n')}",
