@@ -31,7 +31,7 @@ def _captured(library: Library, derived: Class) -> Iterator[tuple[str, Class]]:
     for base in library.lineage(derived):
         further = own.keys() - library.components(base).keys()
         for tokens in _texts(base) if further else ():
-            for name in _first_names(tokens):
+            for name in sorted(_first_names(tokens)):
                 if name in further:
                     where = f"{base.name}, which {derived.name} inherits"
                     yield f"{name} in {where}, would mean the {name} of {derived.name}", base

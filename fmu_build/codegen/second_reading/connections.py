@@ -41,13 +41,13 @@ def mistaken_connections(model: LoweredModel, meant: Connections) -> Iterator[st
                 else:
                     flows.add(_positive(zip(column, (sign for _, _, sign in terms), strict=True)))
     yield from _other_flows(meant, flows)
-    for group in {*equal.sets()} ^ {*meant.equal.sets()}:
+    for group in sorted({*equal.sets()} ^ {*meant.equal.sets()}, key=sorted):
         if all(map(meant.is_known, group)):
             yield f"{', '.join(sorted(group))} are connected otherwise in the source"
 
 
 def _other_flows(meant: Connections, flows: Set[frozenset[Flow]]) -> Iterator[str]:
-    for one in flows ^ {_positive(one) for one in meant.flows()}:
+    for one in sorted(flows ^ {_positive(one) for one in meant.flows()}, key=sorted):
         if all(meant.is_known(name) for name, _ in one):
             text = " + ".join(sorted(("-" if sign < 0 else "") + name for name, sign in one))
             yield f"the equation {text} = 0 of connections is {'wrong' if one in flows else 'lost'}"

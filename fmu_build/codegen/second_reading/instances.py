@@ -319,7 +319,7 @@ class Instances:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
         if "constant" in component.prefixes and not (leaf.given.value or has_text):
             self.mistakes.append((f"the constant {name} has no value", component.name))
-        for attribute in leaf.given.inner.keys() - _ATTRIBUTES:
+        for attribute in sorted(leaf.given.inner.keys() - _ATTRIBUTES):
             self.mistakes.append((f"{name} has no attribute {attribute}", attribute))
         self.leaves[name] = leaf
 
@@ -342,7 +342,7 @@ class Instances:
 
     def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
         with suppress(UnknownError):
-            for name in given.keys() - members:
+            for name in sorted(given.keys() - members):
                 if not self._has_class(owner, name):
                     what = f"{owner.name} has no element {name}, which {path} is given"
                     self.mistakes.append((what, name))

@@ -169,6 +169,13 @@ def test_what_is_not_known_is_left_out() -> None:
 
 #: Declarations of a model M, and what the message must say.
 _LOST = {
+    "the branch of a connection": (
+        "connector P Real v; flow Real i; end P; model R P p; equation p.v=p.i; end R; "
+        "model V P p; equation p.v=6; end V; parameter Boolean t=true; parameter Boolean f=false; "
+        "R a; R b; V v; equation if if t then f else true then connect(v.p, a.p); "
+        "else connect(v.p, b.p); end if;",
+        "the equation a.p.i = 0 of connections is lost: the compiler has misread a connection",
+    ),
     "a parameter after an array that gets the same name": (
         "model Res parameter Real R=1; end Res; model Line Res r[3](R={1,2,3}); parameter Real R=100; "
         "end Line; Line t(R=5);",

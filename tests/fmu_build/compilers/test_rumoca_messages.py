@@ -232,6 +232,13 @@ _CASES = {
         UnsupportedModelError,
         "the class would be redeclared as its own default; give the new one another name",
     ),
+    "the same, final": Case(
+        "model Y parameter Real k=1; end Y; model Z extends Y(k=4); end Z; model B replaceable model X=Y; "
+        "X x; end B; model T replaceable model X=Z; B b(redeclare final model X=X); end T; T t;",
+        "",
+        UnsupportedModelError,
+        "the class would be redeclared as its own default; give the new one another name",
+    ),
     "a name in the modifiers of a short class": Case(
         "constant Real p=3; model Y parameter Real p=1; parameter Real k=2; end Y; model X = Y(k=p); X x;",
         "",
