@@ -20,13 +20,14 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.constructs import Construct, ModelText
 from fmu_build.codegen.modelica_source.inheritance import Inheritance, modified_classes
 from fmu_build.codegen.modelica_source.modifiers import Path as NamePath, assigned, closing, dotted, repeated
-from fmu_build.codegen.modelica_source.text import inside_parentheses
+from fmu_build.codegen.modelica_source.text import REDECLARE, inside_parentheses
 from fmu_build.codegen.record_values import values_over_members
 from fmu_build.codegen.redeclared_modifiers import PREFIXES, changed_modifiers
 
 _KINDS = r"(?:model|block|record|type|package|class)"
+_ALL_KINDS = rf"(?:{_KINDS}|connector|function)"
 _REDECLARED_CLASS = (
-    rf"(?<=[(,])\s*\bredeclare\s+(?:replaceable\s+)?{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\(",
+    rf"(?<=[(,])\s*{REDECLARE}{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\(",
     "the modifiers of a class that is redeclared inside a modifier are lost; "
     "give the class with its modifiers a name of its own",
 )
@@ -42,12 +43,8 @@ _COMPONENT = rf"(?<![\w.])(?!{_KEYWORD})[\w.]+\s+(?!{_KEYWORD})\w+\s*(?:\[[^\]]*
 _EXTENSION = r"\bextends\s+[\w.]+\s*\("
 _SHORT_CLASS = rf"\b{_KINDS}\s+\w+\s*=\s*[\w.]+\s*\("
 _BASE = re.compile(r"(?:\bextends\s+|=\s*)([\w.]+)\s*(\()?")
-_REDECLARED = re.compile(
-    rf"\bredeclare\s+(?:replaceable\s+)?(?:(?:{_KINDS}|function|connector)\s+(\w+)|{PREFIXES}[\w.]+\s+(\w+))"
-)
-_REDECLARED_COMPONENT = re.compile(
-    rf"\bredeclare\s+(?:replaceable\s+)?{PREFIXES}(?!{_KINDS}\b)[\w.]+\s+(\w+)"
-)
+_REDECLARED = re.compile(rf"{REDECLARE}(?:{_ALL_KINDS}\s+(\w+)|{PREFIXES}[\w.]+\s+(\w+))")
+_REDECLARED_COMPONENT = re.compile(rf"{REDECLARE}{PREFIXES}(?!{_ALL_KINDS}\b)[\w.]+\s+(\w+)")
 
 
 def reject_lost_modifiers(model: LoweredModel) -> None:

@@ -1,20 +1,28 @@
-"""Names in a base class that rumoca takes for elements of a class that inherits it.
+"""Names that rumoca looks up in the wrong class: those in base classes, and those of replaceable packages.
 
 Modelica looks up a name where it is written: in the class that contains it, in the bases of that, and then in
 the classes around. An inheriting class may declare an element with the name of a constant that its base finds
 outside, as in ``package P constant Real k = 2; model B Real y; equation y = k; end B; end P;`` with
 ``model M extends P.B; parameter Real k = 3; end M;``. rumoca takes ``k`` for that element.
+
+A class inside of another one may use a constant of a replaceable package of the latter, as ``Medium.c``.
+rumoca takes the default for the package, or the same one in all components, even if some redeclare it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from typing import Final
 
+from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_source.text import REDECLARE
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class, Tokens
+
+_AFTER_VALUES: Final = frozenset(("and", "annotation", "else", "elseif", "for", "if", "loop", "or", "then"))
 
 
 def captured_names(library: Library, instances: Instances) -> Iterator[tuple[str, Class]]:
@@ -24,6 +32,46 @@ def captured_names(library: Library, instances: Instances) -> Iterator[tuple[str
     for derived in {id(one): one for one in (*parts, *packages)}.values():
         with suppress(UnknownError):
             yield from _captured(library, derived)
+
+
+def uses_of_replaceable_packages(
+    model: LoweredModel, library: Library, instances: Instances
+) -> Iterator[tuple[str, Class]]:
+    """Yield the constants of replaceable packages that inner classes use, and these classes."""
+    numbers = {source: number for number, source in enumerate(model.sources)}
+    used = [owner for part in instances.parts.values() for owner in part.classes]
+    used += [one for owner in used for one in owner.classes.values() if one.kind == "package"]
+    for function in model.flat["functions"].values():
+        span = function["span"]
+        with suppress(UnknownError, KeyError):
+            used.append(library.class_at(numbers[span["source"]], model.offset(span)))
+    for inner in {id(one): one for one in used}.values():
+        for name in _outer_packages(library, inner):
+            if _uses(inner.tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):
+                yield f"a constant of {name}, which is redeclared, in a class inside, {inner.name}", inner
+
+
+def _outer_packages(library: Library, inner: Class) -> Iterator[str]:
+    """Yield the names of the replaceable packages of the classes around."""
+    own, around = inner.classes, inner.around
+    while around is not None:
+        with suppress(UnknownError):
+            classes = (one for base in library.lineage(around) for one in base.classes.values())
+            packages = (one for one in classes if one.kind == "package" and "replaceable" in one.prefixes)
+            yield from (one.name for one in packages if one.name not in own)
+        around = around.around
+
+
+def _uses(tokens: Tokens, package: str) -> bool:
+    """Return whether a class uses a constant of a package, and not only its classes and functions."""
+    for place in range(len(tokens) - 3):
+        is_first = not place or tokens[place - 1] != "."
+        if is_first and tokens[place : place + 2] == (package, "."):
+            after = tokens[place + 3]
+            is_class = after == "(" or (after.isidentifier() and after not in _AFTER_VALUES)
+            if not is_class:
+                return True
+    return False
 
 
 def _captured(library: Library, derived: Class) -> Iterator[tuple[str, Class]]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.captures import captured_names
+from fmu_build.codegen.second_reading.captures import captured_names, uses_of_replaceable_packages
 from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
@@ -29,7 +29,7 @@ def reject_other_values(model: LoweredModel) -> None:
     """
     try:
         library = Library(text for _, text in model.sources.values())
-        instances = Instances(library, model.name)
+        instances = Instances(library, library.class_of(model.name))
     except (SyntaxError, UnknownError):
         return  # The checks that look for single constructs remain.
     connections = Connections(instances)
@@ -49,6 +49,9 @@ def _differences(
     for difference, around in captured_names(library, instances):
         span = model.span(list(model.sources)[around.file], around.start, around.end)
         yield f"{difference}, because the compiler looks it up there first; rename one of them", span
+    for difference, around in uses_of_replaceable_packages(model, library, instances):
+        span = model.span(list(model.sources)[around.file], around.start, around.end)
+        yield f"{difference}, is not supported, because the compiler takes another package; pass it on", span
     for difference in mistaken_variables(model, instances):
         yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
     for difference, span in (*mistaken_equations(model, instances), *mistaken_clauses(model, instances)):

@@ -11,7 +11,7 @@ from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.equations import mistaken_names
 from fmu_build.codegen.second_reading.givens import Scope
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.instances import Instances, around
 from fmu_build.codegen.second_reading.sections import When, statements
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -57,10 +57,10 @@ def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Differe
     chains = (one for one in model.flat["when_chains"] if one["span"]["source"] in model.sources)
     for chain in chains:
         place = _place(model, chain["span"])
-        around = [one for owners in paths.values() for one in owners if one[1].contains(*place)]
-        own = [path for path, owner in around if _is_of(model, instances, Scope(path, owner), chain)]
-        if around and not own:
-            yield f"a when-clause of {around[0][1].name} has variables of another component", chain["span"]
+        possible = [one for owners in paths.values() for one in owners if one[1].contains(*place)]
+        own = [path for path, owner in possible if _is_of(model, instances, Scope(path, owner), chain)]
+        if possible and not own and _is_known(instances, chain):
+            yield f"a when-clause of {possible[0][1].name} has variables of another component", chain["span"]
         for path in own:
             found[path].append(place)
     for path, owner in (one for owners in paths.values() for one in owners):
@@ -68,6 +68,13 @@ def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Differe
             if not any(file == owner.file and start <= place < end for file, place in found[path]):
                 where = f" of {path}" if path else ""
                 yield f"a when-clause{where} is lost", model.span(list(model.sources)[owner.file], start, end)
+
+
+def _is_known(instances: Instances, chain: Mapping[str, Any]) -> bool:
+    """Return whether all components are known whose variables a when-clause has."""
+    names = {one["name"]["name"] for one in expressions(dict(chain), "VarRef")} - {"time"}
+    names |= {one["target"] for one in expressions(dict(chain), "Assign")}
+    return all(["", *around(name)][-1] in instances.parts for name in names)
 
 
 def _of_class(owner: Class) -> Iterator[tuple[int, int]]:

@@ -7,7 +7,6 @@ component. Each equation of its classes must be there, if it is not in a branch 
 from __future__ import annotations
 
 import bisect
-import math
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,10 +15,12 @@ from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.inlined import mistaken_constants
 from fmu_build.codegen.second_reading.instances import Instances
-from fmu_build.codegen.second_reading.packages import NAME, is_iterator
+from fmu_build.codegen.second_reading.packages import NAME, is_iterator, is_one_of
 from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
 from fmu_build.codegen.second_reading.syntax import TOKEN, Section
@@ -40,17 +41,28 @@ def mistaken_equations(model: LoweredModel, instances: Instances) -> Iterator[Di
                 owner = next((one for one in part.classes if one.contains(*place)), None)
                 if owner is None:
                     yield f"{path} has an equation that is not in its class", span
-                    continue
-                scope, tree = Scope(path, owner), equation["residual"]
-                for difference in mistaken_names(model, instances, scope, tree):
-                    yield difference, span
-                for difference in _mistaken_values(model, instances, scope, tree):
-                    yield difference, span
+                else:
+                    yield from _mistaken(model, instances, Scope(path, owner), equation)
             for owner in part.classes:
                 comparison = _Comparison(model, instances, Scope(path, owner), found.get(path, []))
                 for section in owner.sections:
                     if section.is_initial == (kind == "initial_equations"):
                         yield from comparison.of(section)
+
+
+def _mistaken(
+    model: LoweredModel, instances: Instances, scope: Scope, equation: Mapping[str, Any]
+) -> Iterator[Difference]:
+    """Yield the names and numbers in an equation that are not what the source means."""
+    span, tree = equation["span"], equation["residual"]
+    for difference in mistaken_names(model, instances, scope, tree):
+        yield difference, span
+    for difference in mistaken_numbers(model, instances, scope, tree):
+        yield difference, span
+    tokens = tuple(TOKEN.findall(blanked(model.text(span))))
+    if "=" in tokens:  # Equations in loops and branches have the place of an iterator or a condition.
+        for difference in mistaken_constants(instances, scope, tokens, tree):
+            yield difference, span
 
 
 def _by_component(equations: Iterable[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
@@ -86,21 +98,30 @@ def _plain(name: str) -> str:
     return name
 
 
-def _mistaken_values(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
-    """Yield numbers that rumoca has written for names of variables, if these have others."""
+def mistaken_numbers(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
+    """Yield numbers that rumoca has written for names of variables and constants, if these have others."""
     file = list(model.sources)[scope.around.file]
-    for literal in expressions(tree, "Literal"):
-        span, value = literal["span"], next(iter(literal["value"].values()))
+    for span, value in _numbers(model, tree):
         if span["source"] != file or not scope.around.contains(scope.around.file, model.offset(span)):
             continue  # It stands in the declaration of a function or constant.
         written = model.text(span)
-        if NAME.fullmatch(written) and not isinstance(value, str):
+        if NAME.fullmatch(written):
             with suppress(UnknownError):
-                if instances.means_member(written, scope):
-                    meant = instances.number(tuple(TOKEN.findall(written)), scope)
-                    is_same = math.isclose(meant, value, rel_tol=1e-9)
-                    if not is_same and not is_iterator(model, scope.around, written):
-                        yield f"{written} is {value:g} instead of {meant:g}"
+                meant = instances.value_of(tuple(TOKEN.findall(written)), scope)
+                if not is_one_of(value, meant) and not is_iterator(model, scope.around, written):
+                    yield f"{written} is not {value:g}"
+
+
+def _numbers(model: LoweredModel, tree: Any) -> Iterator[tuple[Span, float]]:
+    """Yield the numbers in an expression, and those of the literals of enumerations, with their places."""
+    for literal in expressions(tree, "Literal"):
+        value = next(iter(literal["value"].values()))
+        if not isinstance(value, str):
+            yield literal["span"], value
+    ordinals = model.flat["enum_literal_ordinals"]
+    for reference in expressions(tree, "VarRef"):
+        if reference["name"]["name"] in ordinals:
+            yield reference["span"], ordinals[reference["name"]["name"]]
 
 
 class _Comparison:

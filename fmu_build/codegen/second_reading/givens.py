@@ -24,7 +24,7 @@ class Scope:
 class Given:
     """What a name is given, and the scope of its value.
 
-    `type` is that of a redeclaration in the class `around`, else empty.
+    `type` is that of a redeclaration, which stands in the scope `type_scope`, else empty.
     Of an array for the elements of an array of components, `place` selects those of this component.
     """
 
@@ -34,13 +34,20 @@ class Given:
     each: bool = False
     final: bool = False
     type: str = ""
-    around: Class | None = None
+    type_scope: Scope | None = None
     redeclares: bool = False
     place: tuple[int, ...] = ()
     is_used_up: bool = False
 
 
 NOTHING: Final = Given()
+NOWHERE: Final = ".."
+"""The path of what has no component around it, such as the modifiers of a short class."""
+
+
+def nowhere(around: Class) -> Scope:
+    """Return the scope of what stands in a class, in whichever component."""
+    return Scope(NOWHERE, around)
 
 
 def joined(path: str, name: str) -> str:
@@ -57,7 +64,7 @@ def given_by(modifier: Modifier, scope: Scope) -> Given:
         each=modifier.each,
         final=modifier.final,
         type=modifier.type,
-        around=scope.around,
+        type_scope=scope,
         redeclares=modifier.redeclares,
     )
 
@@ -105,6 +112,6 @@ def both(path: str, outer: Given | None, inner: Given | None, mistakes: list[Mis
         inner=merged(path, outer.inner, inner.inner, mistakes),
         final=outer.final or inner.final,
         type=outer.type or inner.type,
-        around=outer.around if outer.type else inner.around,
+        type_scope=outer.type_scope if outer.type else inner.type_scope,
         redeclares=outer.redeclares or inner.redeclares or is_unclear,
     )

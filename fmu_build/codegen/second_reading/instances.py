@@ -16,6 +16,7 @@ from typing import Final
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
 from fmu_build.codegen.second_reading.givens import (
     NOTHING,
+    NOWHERE,
     Given,
     Mistake,
     Scope,
@@ -25,12 +26,11 @@ from fmu_build.codegen.second_reading.givens import (
     inner_of,
     joined,
     merged,
+    nowhere,
 )
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
-#: The path for the modifiers of a short class, which have no component around them.
-_NOWHERE: Final = ".."
 _SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
 #: Prefixes of a component that apply to the variables in it.
 _INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
@@ -92,8 +92,8 @@ class _Names:
         return self.iterators[name] if name in self.iterators else self.instances.named(name, self.scope)
 
     def sizes(self, name: str) -> Sequence[int]:
-        if self.scope.path == _NOWHERE or not self.instances.means_member(name, self.scope):
-            return self.instances.library.sizes(name, self.scope.around)
+        if self.scope.path == NOWHERE or not self.instances.means_member(name, self.scope):
+            return _shape(self.instances.constant(name, self.scope))
         path = joined(self.scope.path, name)
         if path not in self.instances.sizes:
             raise UnknownError
@@ -114,20 +114,22 @@ class Instances:
         mistakes: what is invalid in the modifiers, each with the name that it is about
     """
 
-    def __init__(self, library: Library, model: str) -> None:
-        """Raises `UnknownError` if the library does not have the model."""
+    def __init__(self, library: Library, owner: Class, packages: dict[int, Instances] | None = None) -> None:
+        """Find the variables of a model, or the constants of a package; `packages` are those already read."""
         self.leaves: dict[str, Leaf] = {}
         self.parts: dict[str, Part] = {}
         self.sizes: dict[str, tuple[int, ...]] = {}
-        self._dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self.absent: set[str] = set()
         self.mistakes: list[Mistake] = []
         self.library = library
+        self._dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self._members: dict[str, set[str]] = {}
+        self._classes_given: dict[tuple[str, int], Mapping[str, Given]] = {}
+        self._packages = {} if packages is None else packages
         self._evaluating: set[str] = set()
         self._outer: set[str] = set()
-        self._nowhere = Scope(_NOWHERE, library.class_of(model))
-        self._expand("", self._nowhere.around, {}, frozenset(), 0)
+        self._nowhere = nowhere(owner)
+        self._expand("", owner, {}, frozenset(), 0)
 
     def members(self, path: str) -> Set[str]:
         """Return the names of the variables and components in a component; none if they are not known."""
@@ -200,8 +202,8 @@ class Instances:
 
     def named(self, name: str, scope: Scope) -> Value:
         """Return the value of a parameter or constant; raises `UnknownError` if it is not known."""
-        if scope.path == _NOWHERE or not self.means_member(name, scope):
-            return self.library.constant(name, scope.around)
+        if scope.path == NOWHERE or not self.means_member(name, scope):
+            return self.constant(name, scope)
         path = joined(scope.path, name)
         leaf = self.leaves.get(path)
         if leaf is None or not leaf.is_constant or path in self._evaluating:
@@ -211,6 +213,69 @@ class Instances:
             return self.value(leaf.given)
         finally:
             self._evaluating.discard(path)
+
+    def constant(self, name: str, scope: Scope) -> Value:
+        """Return the value of a constant of a package that a name means in a scope.
+
+        Raises `UnknownError` if it means something else, or the value is not known.
+        """
+        owner, last = self._place_of_constant(name, scope)
+        if last in owner.literals:
+            return float(owner.literals.index(last) + 1)
+        if owner.kind != "package":
+            raise UnknownError
+        if id(owner) not in self._packages:
+            self._packages[id(owner)] = self  # until it is read, nothing is known of it
+            self._packages[id(owner)] = Instances(self.library, owner, self._packages)
+        package = self._packages[id(owner)]
+        if package is self:
+            raise UnknownError
+        return package.named(last, Scope("", owner))
+
+    def _place_of_constant(self, name: str, scope: Scope) -> tuple[Class, str]:
+        """Return the class in which a constant is, and its name there."""
+        *path, last = name.removeprefix(".").split(".")
+        if name.startswith("."):
+            return self.library.class_of(".".join(path)), last
+        if path:
+            return self._class_of(path, scope), last
+        around: Class | None = scope.around
+        while around is not None:
+            if last in self.library.components(around):
+                self._require_unchanged(around)
+                return around, last
+            for known, qualified in around.imports:
+                if known == last:
+                    return self._place_of_constant(f".{qualified}", scope)
+                if known == "*" and last in self.library.components(self.library.class_of(qualified)):
+                    return self.library.class_of(qualified), last
+            if "encapsulated" in around.prefixes:
+                break
+            around = around.around
+        raise UnknownError
+
+    def _class_of(self, names: list[str], scope: Scope) -> Class:
+        """Return the class that a qualified name means in a scope, with redeclarations of the component."""
+        first, *rest = names
+        given = self._classes_given.get((scope.path, id(scope.around)))
+        own = self.library.element(scope.around, first) if given is not None else None
+        if given is not None and first in given:
+            other = given[first]
+            if not other.type or other.type_scope is None or other.inner:
+                raise UnknownError
+            found = self._class_of(other.type.split("."), other.type_scope)
+        elif own is not None:
+            found = own
+        else:
+            found = self.library.meaning(first, scope.around)
+            if found.around is not None:
+                self._require_unchanged(found.around)
+        return self.library.within(found, rest)
+
+    def _require_unchanged(self, around: Class) -> None:
+        """Raise `UnknownError` for a package whose heirs may have other constants and classes."""
+        if id(around) in self.library.changed:
+            raise UnknownError
 
     def _expand(
         self, path: str, owner: Class, given: Mapping[str, Given], prefixes: frozenset[str], depth: int
@@ -255,11 +320,12 @@ class Instances:
             base = self.library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = inner_of(modifier, Scope(_NOWHERE if owner.is_short else path, owner))
+            inner = inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner))
             all_given = merged(path, all_given, inner, self.mistakes)
             inherited = list(self._components(path, base, merged(path, given, inner, self.mistakes)))
             self._check_names(path, base, inner, {one.component.name for one in inherited})
             yield from (one for one in inherited if one.component.name not in redeclared)
+        self._classes_given[path, id(owner)] = all_given
         for component in owner.components:
             own = given_by(component.modifier, Scope(path, owner))
             whole = both(joined(path, component.name), given.get(component.name), own, self.mistakes)
@@ -278,8 +344,8 @@ class Instances:
         dimensions = [(tokens, scope) for tokens in component.dimensions]
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            attributes = both(name, attributes, given_by(modifier, Scope(_NOWHERE, kind)), self.mistakes)
-            dimensions += [(tokens, Scope(_NOWHERE, kind)) for tokens in kind.dimensions]
+            attributes = both(name, attributes, given_by(modifier, Scope(NOWHERE, kind)), self.mistakes)
+            dimensions += [(tokens, Scope(NOWHERE, kind)) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
         self._dimensions[name] = dimensions
         whole = both(name, given, attributes, self.mistakes)
@@ -304,14 +370,14 @@ class Instances:
         """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""
         component, given = member.component, member.given
         if given.type:
-            if given.around is None or component.is_constrained:
+            if given.type_scope is None or component.is_constrained:
                 raise UnknownError
-            return self.library.meaning(given.type, given.around), NOTHING
+            return self.library.meaning(given.type, given.type_scope.around), NOTHING
         other = member.around_given.get(component.type)
         if other is not None:
-            if not other.type or other.around is None:
+            if not other.type or other.type_scope is None:
                 raise UnknownError
-            return self.library.meaning(other.type, other.around), Given(inner=other.inner)
+            return self.library.meaning(other.type, other.type_scope.around), Given(inner=other.inner)
         own = self.library.element(member.around, component.type)
         return own or self.library.meaning(component.type, member.around), NOTHING
 
@@ -366,7 +432,7 @@ class Instances:
             for around in self.library.lineage(owner):
                 for name, one in around.classes.items():
                     other = first.setdefault(name, one)
-                    if other.tokens != one.tokens:
+                    if other.tokens != one.tokens and "redeclare" not in other.prefixes:
                         what = f"{owner.name} has two classes {name} that differ: one of {around.name}, which"
                         self.mistakes.append((f"{what} it inherits", name))
 
@@ -374,6 +440,15 @@ class Instances:
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
+
+
+def _shape(value: Value) -> list[int]:
+    """Return the sizes of an array."""
+    found = []
+    while isinstance(value, list):
+        found.append(len(value))
+        value = value[0] if value else 0.0
+    return found
 
 
 def around(name: str) -> Iterator[str]:

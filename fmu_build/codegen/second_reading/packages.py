@@ -14,7 +14,8 @@ from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
+from fmu_build.codegen.second_reading.givens import nowhere
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class
@@ -36,7 +37,7 @@ def mistaken_packages(
         for call in expressions(tree, "FunctionCall"):
             yield from _call(model, library, numbers, call)
         for literal in expressions(tree, "Literal"):
-            yield from _literal(model, library, numbers, literal)
+            yield from _literal(model, library, numbers, literal, instances)
         for reference in expressions(tree, "VarRef"):
             is_local = tree is model.flat["functions"]
             yield from _captured(model, library, numbers, reference, None if is_local else instances)
@@ -102,8 +103,19 @@ def is_iterator(model: LoweredModel, around: Class, name: str) -> bool:
     return re.search(rf"(?:\bfor|,)\s*{name}\s+in\b", text) is not None
 
 
+def is_one_of(value: float, meant: Value) -> bool:
+    """Return whether a number is a value, or in an array of values."""
+    if isinstance(meant, list):
+        return any(is_one_of(value, one) for one in meant)
+    return math.isclose(meant, value, rel_tol=_ROUNDING)
+
+
 def _literal(
-    model: LoweredModel, library: Library, numbers: dict[int, int], literal: dict[str, Any]
+    model: LoweredModel,
+    library: Library,
+    numbers: dict[int, int],
+    literal: dict[str, Any],
+    instances: Instances,
 ) -> Iterator[tuple[str, Span]]:
     span, value = literal["span"], next(iter(literal["value"].values()))
     if isinstance(value, str) or span["source"] not in numbers:
@@ -112,10 +124,9 @@ def _literal(
     if NAME.fullmatch(written) and written not in ("true", "false"):
         with suppress(UnknownError):
             around = _around(model, library, numbers, span)
-            meant = library.constant(written, around)
-            is_same = isinstance(meant, list) or math.isclose(meant, value, rel_tol=_ROUNDING)
-            if not is_same and not is_iterator(model, around, written):
-                yield f"{written} is {value:g} instead of {meant:g}", span
+            meant = instances.constant(written, nowhere(around))
+            if not is_one_of(value, meant) and not is_iterator(model, around, written):
+                yield f"{written} is not {value:g}", span
 
 
 def _around(model: LoweredModel, library: Library, numbers: dict[int, int], span: Span) -> Class:

@@ -1,16 +1,15 @@
-"""The classes of a model's libraries by name, and the class or constant that a name means where it stands."""
+"""The classes of a model's libraries by name, and the class that a name means where it stands."""
 
 from __future__ import annotations
 
 import bisect
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Final
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
+from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.syntax import Class, Component, read_classes
 
 PREDEFINED: Final = {
@@ -36,7 +35,6 @@ class Library:
             one.around = around
             around.classes[one.name] = one
         self._components: dict[int, Mapping[str, tuple[Class, Component]]] = {}
-        self._evaluating: set[tuple[int, str]] = set()
 
     def class_of(self, qualified: str) -> Class:
         """Return the class with a qualified name; raises `UnknownError` if there is none."""
@@ -87,7 +85,7 @@ class Library:
         if name.startswith("."):
             return self.class_of(name[1:])
         first, *rest = name.split(".")
-        return self._within(self._first(first, scope), rest)
+        return self.within(self._first(first, scope), rest)
 
     def _first(self, name: str, scope: Class, *, inherited: bool = True) -> Class:
         found: Class | None = None
@@ -102,7 +100,8 @@ class Library:
             raise NotFoundError
         return _certain(found)
 
-    def _within(self, found: Class, names: Iterable[str]) -> Class:
+    def within(self, found: Class, names: Iterable[str]) -> Class:
+        """Return a class inside of another one; raises `UnknownError` where it is not known."""
         for name in names:
             found = _certain(self.element(found, name))
         return found
@@ -134,38 +133,6 @@ class Library:
             }
         return self._components[id(owner)]
 
-    def constant(self, name: str, scope: Class) -> Value:
-        """Return the value of a constant of a package that a name means in a class.
-
-        Raises `UnknownError` if it means something else, or the value is not known.
-        """
-        *path, last = name.removeprefix(".").split(".")
-        if name.startswith("."):
-            return self._constant_of(last, self.class_of(".".join(path)))
-        if path:
-            return self._constant_of(last, self.meaning(".".join(path), scope))
-        around: Class | None = scope
-        while around is not None:
-            if last in self.components(around):
-                return self._constant_of(last, around)
-            for known, qualified in around.imports:
-                if known == last:
-                    return self.constant(f".{qualified}", scope)
-                if known == "*" and last in self.components(self.class_of(qualified)):
-                    return self.constant(f".{qualified}.{last}", scope)
-            if "encapsulated" in around.prefixes:
-                break
-            around = around.around
-        raise UnknownError
-
-    def sizes(self, name: str, scope: Class) -> list[int]:
-        """Return the sizes of a constant array; raises `UnknownError` if they are not known."""
-        value, found = self.constant(name, scope), []
-        while isinstance(value, list):
-            found.append(len(value))
-            value = value[0] if value else 0.0
-        return found
-
     def is_class(self, name: str, scope: Class) -> bool:
         """Return whether a name means a class, or may mean one."""
         try:
@@ -176,25 +143,8 @@ class Library:
             return True
         return True
 
-    def _constant_of(self, name: str, owner: Class) -> Value:
-        if name in owner.literals:
-            return float(owner.literals.index(name) + 1)
-        around, component = self.components(owner).get(name, (owner, None))
-        is_modified = any(modifier.inner for one in self.lineage(owner) for _, modifier in one.bases)
-        key = (id(around), name)
-        is_changed = is_modified or id(owner) in self._changed or id(around) in self._changed
-        if component is None or owner.kind != "package" or is_changed or key in self._evaluating:
-            raise UnknownError
-        if "constant" not in component.prefixes or component.prefixes & {"replaceable", "redeclare"}:
-            raise UnknownError
-        self._evaluating.add(key)
-        try:
-            return value_of(component.modifier.value, _Names(self, around))
-        finally:
-            self._evaluating.discard(key)
-
     @cached_property
-    def _changed(self) -> Set[int]:
+    def changed(self) -> Set[int]:
         """The classes that others inherit with other values: what is in them depends on the heir."""
         found: set[int] = set()
         for heir in self.classes():
@@ -223,7 +173,7 @@ class Library:
         scope = owner.around if owner.is_short else owner
         if scope is None:
             raise UnknownError
-        return self._within(self._first(first, scope, inherited=owner.is_short), rest)
+        return self.within(self._first(first, scope, inherited=owner.is_short), rest)
 
     def _imported(self, scope: Class, name: str) -> Class | None:
         for known, qualified in scope.imports:
@@ -240,20 +190,3 @@ def _certain(found: Class | None) -> Class:
     if found is None or "replaceable" in found.prefixes:
         raise UnknownError
     return found
-
-
-@dataclass(frozen=True, slots=True)
-class _Names:
-    """What names mean in the declaration of a constant."""
-
-    library: Library
-    scope: Class
-
-    def value(self, name: str) -> Value:
-        return self.library.constant(name, self.scope)
-
-    def sizes(self, name: str) -> Sequence[int]:
-        return self.library.sizes(name, self.scope)
-
-    def is_function(self, name: str) -> bool:
-        return self.library.is_class(name, self.scope)

@@ -286,7 +286,9 @@ class _Parser:
             inner = self.class_or_none(owner, prefixes)
             if inner is not None:
                 owner.classes[inner.name] = inner
-                owner.is_certain &= "redeclare" not in prefixes and inner.is_certain
+                # Functions change neither variables nor equations of the class.
+                is_certain = "redeclare" not in prefixes and inner.is_certain
+                owner.is_certain &= inner.kind == "function" or is_certain
             else:
                 self._components(owner, prefixes)
 
@@ -316,7 +318,10 @@ class _Parser:
             modifier = Modifier(value, inner, final="final" in prefixes)
             is_constrained = False
             while self.here not in (",", ";"):
-                is_constrained |= self._balanced() == ("constrainedby",)
+                if self._balanced() == ("constrainedby",):
+                    self.name()
+                    # With a constraining clause, a redeclaration drops the modifiers of the declaration.
+                    is_constrained = self.here == "(" or bool(inner or value)
             owner.components.append(
                 Component(name, kind, own + common, prefixes, modifier, condition, is_constrained)
             )

@@ -16,8 +16,9 @@ from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
-from fmu_build.codegen.second_reading.equations import mistaken_names
+from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Given
+from fmu_build.codegen.second_reading.inlined import mistaken_constants
 from fmu_build.codegen.second_reading.instances import Instances, Leaf
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 
@@ -84,6 +85,8 @@ def _in_equation(model: LoweredModel, instances: Instances, name: str) -> Iterat
             yield f"the equation is {text} instead of {' '.join(given.value)}"
         if given.scope is not None:
             yield from mistaken_names(model, instances, given.scope, binding)
+            yield from mistaken_numbers(model, instances, given.scope, binding)
+            yield from mistaken_constants(instances, given.scope, given.value, binding)
 
 
 def _contains(whole: Tokens, part: Tokens) -> bool:

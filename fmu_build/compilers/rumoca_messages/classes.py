@@ -58,6 +58,22 @@ CLASSES = (
     ),
     Meaning(_CONDITION, UnsupportedModelError, _NOT_EVALUATED, (rf"{_CONDITIONAL}[^;]*",)),
     Meaning(
+        r"redeclaration error for `(?P<name>\w+)`: selected redeclare class has no such member",
+        UnsupportedModelError,
+        "{name} is looked up in the class before its redeclaration; redeclare in an extends clause, and use "
+        "it in the class with that",
+        (r"\bredeclare\b[^;]*",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved component reference: '(?P<all>\w+\.(?P<name>\w+)\.\w+)'",
+        UnsupportedModelError,
+        "{all}, a constant of a package that is redeclared in another package, is not supported; write the "
+        "name of the package itself",
+        (r"\bredeclare\s+(?:final\s+)?package\s+NAME\b",),
+        only_there=True,
+    ),
+    Meaning(
         r"`(?P<name>\w+)` has 0 dimension\(s\) but is subscripted",
         UnsupportedModelError,
         "{name} has a type that is an array, whose size the compiler does not find, because it is no number; "

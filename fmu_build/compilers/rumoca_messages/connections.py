@@ -153,5 +153,12 @@ CONNECTIONS_AND_COUNTS = (
         ),
         only_there=True,
     ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
+        "operator records are not supported ({all}, as the compiler counts them)",
+        (r"\boperator\s+record\b",),
+        only_there=True,
+    ),
     Meaning(rf"(?P<all>{_UNBALANCED})", ModelicaError, "{all}"),
 )

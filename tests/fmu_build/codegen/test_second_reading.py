@@ -18,7 +18,8 @@ from tests.fuzz.models.writer import Writer
 
 
 def _instances(text: str, model: str = "M") -> Instances:
-    return Instances(Library([text]), model)
+    library = Library([text])
+    return Instances(library, library.class_of(model))
 
 
 def _values(text: str) -> dict[str, object]:
@@ -159,11 +160,17 @@ def test_what_is_not_known_is_left_out() -> None:
         model M
           model A parameter Real k = 1; end A;
           model B = A(k = 2);
-          model C replaceable A a constrainedby A; replaceable package D end D; D.X d; A e; end C;
-          C c(redeclare B a);
+          model C
+            replaceable A a constrainedby A;
+            replaceable A f constrainedby A(k = 3);
+            replaceable package D end D;
+            D.X d;
+            A e;
+          end C;
+          C c(redeclare B a, redeclare B f);
           outer C o;
         end M;""")
-    assert found.leaves.keys() == {"c.e.k"}
+    assert found.leaves.keys() == {"c.a.k", "c.e.k"}
     assert not found.mistakes
 
 
@@ -318,7 +325,7 @@ _MISPLACED = {
     "in a package": (
         "package Q constant Real b=k+3; end Q; package R extends Q; constant Real k=100; end R;",
         "Real y=P.R.b;",
-        "k in Q, which R inherits, would mean the k of R",
+        "the value of P.R.b is not 5",
     ),
     "the default of a record": (
         "record R Real a=k; Real b=1; end R;",
@@ -351,6 +358,21 @@ _MISPLACED = {
         "parameter Integer n=3; P.A a; parameter Integer m=P.f(a.n); S s[m]; Real q=sum(s.y);",
         "the size of s would be read from another variable of the same name",
     ),
+    "a constant of a base, if another heir has another one": (
+        "partial package B constant Real h=0; end B; package W extends B; end W; "
+        "package A extends B(h=50); end A; "
+        "model V replaceable package Q=W constrainedby B; Real y; equation y=Q.h+0*time; end V;",
+        "P.V a; P.V b(redeclare package Q=P.A);",
+        "Q.h is not 50",
+    ),
+    "a constant of a replaceable package in a function inside": (
+        "partial package B constant Real h; end B; package W extends B(h=1); end W; "
+        "package A extends B(h=5); end A; "
+        "model V replaceable package Q=W constrainedby B; function g input Real x; output Real y; "
+        "algorithm y:=x*Q.h; end g; Real y=g(time); end V;",
+        "P.V b(redeclare package Q=P.A);",
+        "a constant of Q, which is redeclared, in a class inside, g, is not supported",
+    ),
 }
 
 
@@ -377,6 +399,18 @@ _WELL_PLACED = {
     "a size of its own": (
         "",
         "parameter Integer m=n+1; constant Integer n=1; S s[m]; Real q=sum(s.y);",
+    ),
+    "redeclared packages with constants of their own": (
+        "partial package B constant Real h; end B; package W extends B(h=1); end W; "
+        "package A extends B(h=5); end A; "
+        "model V replaceable package Q=W constrainedby B; parameter Real k=Q.h; Real y=k*time; end V;",
+        "P.V a; P.V b(redeclare package Q=P.A, k=3);",
+    ),
+    "a when-clause of a base, in components of which one is redeclared": (
+        "partial model C parameter Real k=1; discrete Real u(start=0, fixed=true); "
+        "equation when sample(0.1, 0.1) then u=pre(u)+k; end when; end C; model D extends C; end D; "
+        "model L replaceable D c(k=5) constrainedby C; Real y=c.u; end L;",
+        "P.L a; P.L b(redeclare P.D c(k=2));",
     ),
     "an import before a constant around": (
         "package C constant Real k=4; end C; model B import P.C.*; Real y; equation y=k; end B;",

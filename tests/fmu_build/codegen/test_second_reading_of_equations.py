@@ -156,7 +156,7 @@ class _Reading:
         self.model = lower(rumoca.Session().load(str(file), model="Q.M"))
         self.flat = self.model.flat
         self._library = Library(text for _, text in self.model.sources.values())
-        self._instances = Instances(self._library, self.model.name)
+        self._instances = Instances(self._library, self._library.class_of(self.model.name))
         self._connections = Connections(self._instances)
 
     def differences(self, change: Callable[[dict[str, Any]], object]) -> Iterator[object]:

@@ -125,6 +125,17 @@ _VALID = {
         "model M C c; K k; equation connect(c.h, k.h); end M;",
         "as the compiler counts them; it counts one too many for a protected connector: connect a component",
     ),
+    "a member that only the redeclaration has": (
+        f"{_S} model T extends S; Real w = 2; end T; model D replaceable S c; end D; "
+        "model M D d(redeclare T c); Real z; equation z = d.c.w; end M;",
+        "w is looked up in the class before its redeclaration",
+    ),
+    "a constant of a package that a package redeclares": (
+        "package P constant Real c = 1; end P; package O constant Real c = 9; end O; "
+        "package F replaceable package Q = P; end F; package G extends F(redeclare package Q = O); end G; "
+        "model M Real y = G.Q.c; end M;",
+        "G.Q.c, a constant of a package that is redeclared in another package, is not supported",
+    ),
     "a slice in a connection": (
         f"{_G} model M S s; G g[2]; equation connect(s.y[2:3], g.u); end M;",
         "it miscounts connections of a slice with a member of an array of components without a subscript",
