@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from typing import Any, Final
 
+from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import Scope
 from fmu_build.codegen.second_reading.instances import Instances
@@ -19,6 +20,7 @@ from fmu_build.codegen.second_reading.syntax import Tokens
 
 #: What makes arrays, or of which a part is left out.
 _NOT_SCALAR: Final = frozenset(("{", "[", ":", "for", "if"))
+_CALLS: Final = frozenset(("Array", "BuiltinCall", "FunctionCall", "If", "Index"))
 _OPERATIONS: Final[Mapping[str, Callable[[float, float], float]]] = {
     "Add": operator.add,
     "Sub": operator.sub,
@@ -33,9 +35,11 @@ def mistaken_constants(instances: Instances, scope: Scope, tokens: Tokens, tree:
         return
     values: list[float] = []
     _collect(tree, values)
+    if any(map(math.isnan, values)):
+        return  # One of the values is that of a function.
     for name in _names(tokens):
         with suppress(UnknownError):
-            if not instances.means_member(name, scope):
+            if not instances.means_member(name, scope) and not instances.means_literal(name, scope):
                 meant = instances.constant(name, scope)
                 if isinstance(meant, list):
                     continue
@@ -57,27 +61,34 @@ def _names(tokens: Tokens) -> Iterator[str]:
 
 def _collect(tree: Any, values: list[float]) -> float | None:
     """Add the values of all constant parts of an expression; return that of the whole."""
+    found: float | None = None
     if isinstance(tree, list):
         for one in tree:
             _collect(one, values)
+    elif isinstance(tree, dict) and "Binary" in tree:
+        found = _of_binary(tree["Binary"], values)
+    elif isinstance(tree, dict) and tree.keys() & _CALLS and next(expressions(tree, "VarRef"), None) is None:
+        found = math.nan
+    elif isinstance(tree, dict):
+        inner = _literal(tree["Literal"]) if "Literal" in tree else _collect([*tree.values()], values)
+        if "Unary" in tree and (operand := _collect(tree["Unary"]["rhs"], values)) is not None:
+            inner = -operand
+        found = inner
+    if found is not None:
+        values.append(found)
+    return found
+
+
+def _literal(literal: Mapping[str, Any]) -> float | None:
+    value = next(iter(literal["value"].values()))
+    return float(value) if isinstance(value, (int, float)) else None
+
+
+def _of_binary(tree: Mapping[str, Any], values: list[float]) -> float | None:
+    one, other = (_collect(tree[side], values) for side in ("lhs", "rhs"))
+    if one is None or other is None:
         return None
-    if not isinstance(tree, dict):
-        return None
-    found = None
-    if "Literal" in tree:
-        found = next(iter(tree["Literal"]["value"].values()))
-    elif "Unary" in tree and (inner := _collect(tree["Unary"]["rhs"], values)) is not None:
-        found = -inner
-    elif "Binary" in tree:
-        one, other = (_collect(tree["Binary"][side], values) for side in ("lhs", "rhs"))
-        operation = _OPERATIONS.get(str(tree["Binary"]["op"]))
-        if one is not None and other is not None and operation is not None:
-            with suppress(ZeroDivisionError):
-                found = operation(one, other)
-    else:
-        for one in tree.values():
-            _collect(one, values)
-    if isinstance(found, (int, float)):
-        values.append(float(found))
-        return float(found)
-    return None
+    operation = _OPERATIONS.get(str(tree["op"]))
+    if operation is None or (operation is operator.truediv and not other):
+        return math.nan
+    return operation(one, other)

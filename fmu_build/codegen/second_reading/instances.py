@@ -177,6 +177,14 @@ class Instances:
         first = name.partition(".")[0].partition("[")[0]
         return first in self.library.components(scope.around) and first in self.members(scope.path)
 
+    def means_literal(self, name: str, scope: Scope) -> bool:
+        """Return whether a name means a literal of an enumeration.
+
+        Raises `UnknownError` if its meaning is not known.
+        """
+        owner, last = self._place_of_constant(name, scope)
+        return last in owner.literals
+
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
         if not given.value:

@@ -412,6 +412,14 @@ _WELL_PLACED = {
         "model L replaceable D c(k=5) constrainedby C; Real y=c.u; end L;",
         "P.L a; P.L b(redeclare P.D c(k=2));",
     ),
+    "a literal of an enumeration": (
+        "type E = enumeration(a, b);",
+        "parameter P.E e=P.E.b; Boolean y=e > P.E.a;",
+    ),
+    "a constant by a function": (
+        "constant Real t[:]={5, 6, 7}; constant Integer m=size(t, 1); constant Real r=sqrt(k)+k^2;",
+        "Real y; Real z; equation y=P.t[P.m]+P.k; z=P.m*P.r;",
+    ),
     "an import before a constant around": (
         "package C constant Real k=4; end C; model B import P.C.*; Real y; equation y=k; end B;",
         "extends P.B;",
