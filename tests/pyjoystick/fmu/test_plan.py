@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Fmu, FmuNotFoundError, FmuRunError
+from pyjoystick.fmu import Final, Fmu, FmuNotFoundError, FmuRunError
 from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
 from pyjoystick.support import (
     ParameterError,
@@ -279,6 +279,17 @@ def test_columns_of_tables_are_numbers(values: Any, joystick: Fmu) -> None:
         plan.run_batch(table)
     with pytest.raises(ParameterError, match="must be made of numbers in rows"):
         joystick.plan(TIME, varied="theta_start").run(table["theta_start"])
+
+
+def test_durations_and_a_single_reduction_are_refused(joystick: Fmu) -> None:
+    second = np.timedelta64(1, "s")
+    with pytest.raises(ParameterError, match="theta_start = 1 second"):
+        joystick.run(TIME, parameters={"theta_start": second})
+    with joystick.start() as stepper, pytest.raises(ParameterError, match="length = 1 second"):
+        stepper.step(second)
+    plan = joystick.plan(TIME, varied="theta_start", outputs=OUTPUTS)
+    with pytest.raises(ParameterError, match=r"reductions = .*must be a sequence"):
+        plan.run_batch([[0.1]], reductions=Final("theta"))  # type: ignore[arg-type]
 
 
 def test_each_column_of_a_table_has_its_own_type(mixed: Fmu) -> None:
