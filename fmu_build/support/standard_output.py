@@ -10,8 +10,9 @@ import sys
 from collections.abc import Iterator
 from typing import Final
 
-#: Errors of a file that takes no more: a full disk, a quota, and one that is not open for writing.
-_NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)
+#: Errors of a file that takes no more: a full disk, a quota, a limit of its size, one that is not open for
+#: writing, and a terminal that was closed.
+_NO_ROOM: Final = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EBADF, errno.EIO)
 
 
 def lost_output(error: OSError) -> str:
@@ -30,6 +31,12 @@ class _Closed(io.TextIOBase):
         return 0
 
 
+def _write_every_character() -> None:
+    """Escape characters that the encoding of standard output lacks, instead of failing."""
+    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="backslashreplace")
+
+
 @contextlib.contextmanager
 def closed_output_fails() -> Iterator[None]:
     """Make writing to a standard output that is closed, as with ``>&-``, an OSError until the body ends.
@@ -37,6 +44,7 @@ def closed_output_fails() -> Iterator[None]:
     Python has no stream there, and what is printed would be lost without an error.
     """
     if getattr(sys, "stdout", None) is not None:
+        _write_every_character()
         yield
         return
     # Otherwise the next file would be opened in its place, and get what libraries print.

@@ -74,7 +74,7 @@ def from_file(
     how = f"angle filtered at {chain.low_pass.cutoff:g} Hz and differentiated" if found.differentiated else ""
     notes = tuple(f"{path}: {note}" for note in (*found.notes, how) if note)
     description = {"kind": "measured", "file": str(path), "differentiated": found.differentiated}
-    return Motion(f"{path.name}, {samples.duration:.6g} s", description, samples, lambda _: samples, notes)
+    return Motion(f"{path.name}, {samples.duration:.6g} s", description, samples, samples.refined, notes)
 
 
 def joysticks_of(

@@ -102,7 +102,7 @@ def _require_known_version(path: Path, root: str, attributes: Mapping[str, str])
     version = attributes.get("fmiVersion")
     if version is None:
         raise FmuFileError(path, f"its modelDescription.xml names no FMI version in its element {root}")
-    if not re.fullmatch(r"2\.0|3\..*", version):
+    if not re.fullmatch(r"2\.0|3\.0(\D.*)?", version):  # FMPy runs no other minor version of FMI 3
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
 
 

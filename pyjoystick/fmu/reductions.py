@@ -102,6 +102,8 @@ def checked_reductions(reductions: Iterable[Reduction], outputs: Sequence[str]) 
         UnknownVariableError: a variable is not among the outputs of the plan
         ParameterError: there are no reductions, one is of an unknown kind, or two have a column in common
     """
+    if not isinstance(reductions, Iterable):
+        raise ParameterError("reductions", reductions, "a sequence of reductions, even if there is one")
     checked = tuple(reductions)
     if not checked:
         raise ParameterError("reductions", "an empty sequence", "one or more, or None to keep the samples")

@@ -96,7 +96,7 @@ def checked_value(variable: Variable, value: object) -> Value:
             return value
         raise ParameterError(variable.name, repr(value), "text without null characters")
     kind = Integral if variable.type in INTEGERS else Real
-    if isinstance(value, bool | np.bool_) or not isinstance(value, kind):
+    if isinstance(value, bool | np.bool_ | np.timedelta64) or not isinstance(value, kind):
         raise ParameterError(variable.name, value, allowed_values(variable))
     number = int(value) if isinstance(value, Integral) else float(value)
     low, high = limits(variable)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,9 @@ from pyjoystick.support import ParameterError, type_text, without_mask
 
 if TYPE_CHECKING:
     import pandas as pd
+
+#: Numbers to NumPy, or to its conversions, that have more than one part, or a unit.
+_NO_NUMBERS: Final = (complex, np.complexfloating, np.datetime64, np.timedelta64)
 
 
 class Varied:
@@ -96,21 +99,42 @@ class Varied:
         hint = "a float is exact up to 2^53; give an integer" if is_inside and number % 1 == 0 else ""
         raise ParameterError(f"{variable.name}{place}", number, allowed, hint)
 
+    def _typed_parts(self, values: Any) -> Iterator[tuple[Any, Sequence[Variable]]]:
+        """The columns of a table, or the whole of another object of pandas, each with its variables."""
+        if getattr(values, "ndim", 0) == 2 and hasattr(values, "iloc"):
+            for i in range(values.shape[1]):
+                yield values.iloc[:, i], self.variables[i : i + 1]
+        elif hasattr(values, "to_numpy"):
+            yield values, self.variables
+
     def _numbers(self, values: Any) -> NDArray[Any]:
         numbers: NDArray[Any] | None = None
         with suppress(TypeError, ValueError):
+            # Columns are examined before the conversion, which drops imaginary parts and units of time.
+            for part, variables in self._typed_parts(values):
+                _require_numbers(part, variables)
             given = values.to_numpy(self._type) if hasattr(values, "to_numpy") else values
             if isinstance(given, np.ma.MaskedArray):
                 given = without_mask(given)
-            kind = np.asarray(given).dtype.kind
-            if kind in "cmM":
-                raise TypeError("complex numbers, dates and durations would lose a part or their unit")
-            if kind == "b" and any(one.type != "Boolean" for one in self.variables):
-                raise TypeError("Booleans are no numbers")
+            _require_numbers(np.asarray(given), self.variables)
             numbers = np.ascontiguousarray(given, dtype=self._type)
         if numbers is None or (self._type is object and not all(map(_is_real, numbers.flat))):
             raise ParameterError("values", type_text(values), "made of numbers in rows")
         return numbers
+
+
+def _require_numbers(values: Any, variables: Sequence[Variable]) -> None:
+    """Raise TypeError for values with a `dtype` that a conversion to numbers would change."""
+    kinds = {values.dtype.kind, np.asarray(values).dtype.kind}
+    if kinds & set("cmM") or any(isinstance(one, _NO_NUMBERS) for one in _objects(values)):
+        raise TypeError("complex numbers, dates and durations would lose a part or their unit")
+    if "b" in kinds and any(one.type != "Boolean" for one in variables):
+        raise TypeError("Booleans are no numbers")
+
+
+def _objects(values: Any) -> Iterable[Any]:
+    array = np.asarray(values)
+    return array.flat if array.dtype.kind == "O" else ()
 
 
 def _is_real(value: object) -> bool:

@@ -103,6 +103,8 @@ def measure(
 ) -> TorqueMeasures:
     """Compute the statistics of a motion's torque; integrals use the samples' weights.
 
+    For a measured motion, give its `Samples.refined`, and their torque.
+
     Args:
         joystick: joystick that the torque was computed for
         samples: the motion

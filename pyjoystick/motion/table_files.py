@@ -42,12 +42,14 @@ class TableFile:
         comments: the lines that begin with #, without the #
         cells: rows of text, each as long as the headings
         rows: line number of each row, from 1, shape (n,)
+        empty: numbers of the empty lines between these, in order
     """
 
     head: TableHead
     comments: tuple[str, ...]
     cells: tuple[tuple[str, ...], ...]
     rows: NDArray[np.int64]
+    empty: tuple[int, ...] = ()
 
     def read(
         self,

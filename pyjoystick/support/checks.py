@@ -43,7 +43,7 @@ def number_of_text(text: str) -> float:
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
     """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
     number = math.nan
-    if isinstance(value, Real) and not isinstance(value, bool):
+    if isinstance(value, Real) and not isinstance(value, bool | np.timedelta64):  # which NumPy calls integers
         with suppress(OverflowError):  # a whole number of more than 308 digits
             number = float(value)
     if not math.isfinite(number):
@@ -71,7 +71,11 @@ def not_negative(field: str, value: object, unit: str = "") -> float:
 
 def whole_number(field: str, value: object, least: int, most: int | None = None) -> int:
     """`value` as an integer from `least` to `most`; floats and Booleans are rejected."""
-    number = -math.inf if isinstance(value, bool) or not isinstance(value, Integral) else int(value)
+    number = (
+        -math.inf
+        if isinstance(value, bool | np.timedelta64) or not isinstance(value, Integral)
+        else int(value)
+    )
     if not least <= number <= (math.inf if most is None else most):
         limits = f", {least} or more" if most is None else f" from {least} to {most}"
         raise ParameterError(field, value, f"a whole number{limits}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import re
@@ -21,6 +22,7 @@ from fmu_build import UnknownCompilerError, build_fmu, compilers
 from fmu_build.__main__ import _run as program, app
 from fmu_build.support.errors import ModelicaError
 from fmu_build.support.request import BuildRequest, BuildResult, SensitivityRequest
+from fmu_build.support.standard_output import lost_output
 
 _JOYSTICK = "PreloadedSprings.Joystick.Joystick"
 
@@ -107,6 +109,22 @@ def test_a_build_error_is_one_message(monkeypatch: pytest.MonkeyPatch, tmp_path:
     assert result.stdout == ""
     assert result.stderr.splitlines()[-1] == "error: M.mo:3:14: unexpected `2`"
     assert [r.model for r in compiler.requests] == ["M"]
+
+
+def test_characters_that_standard_output_lacks_are_escaped() -> None:
+    ended = subprocess.run(
+        [sys.executable, "-m", "fmu_build", "--help"],
+        env=os.environ | {"PYTHONIOENCODING": "ascii"},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (ended.returncode, ended.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("number", [errno.EIO, errno.EFBIG])
+def test_a_closed_terminal_and_a_limit_of_the_size_are_lost_output(number: int) -> None:
+    assert "cannot write standard output" in lost_output(OSError(number, os.strerror(number)))
 
 
 @pytest.mark.parametrize("arguments", [("M", "-o", "."), ("--help",), ("explore", "--help")])

@@ -9,13 +9,15 @@ Such a file has sections, each starting with a line with its name and one with i
     ,,mm,mm,mm,mm,mm,mm
     1,0,12.5,-3.1,266.0,,,
 
-and end with an empty line. Empty cells are markers that were not seen.
+and end with an empty line, unless frames follow it. Empty cells are markers that were not seen.
 """
 
 from __future__ import annotations
 
 import io
 import math
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -37,11 +39,11 @@ _RATES: Final = (1.0, 1e7)
 
 @dataclass(frozen=True, slots=True)
 class _Section:
-    """The lines of the trajectories; `start` is the number of the first one in the file, from 1."""
+    """The lines of the trajectories, and the number of each in the file, from 1."""
 
     source: str
     lines: list[str]
-    start: int
+    rows: list[int]
     delimiter: str
 
     def cells(self, i: int) -> list[str]:
@@ -78,7 +80,7 @@ def read_nexus_csv(path: Path, text: str, *, unit: str | None = None) -> Markers
     ]
     rate = _rate(section)
     values = _numbers(section)
-    rows = np.arange(section.start + _HEAD, section.start + len(section.lines), dtype=np.int64)
+    rows = np.array(section.rows[_HEAD:], dtype=np.int64)
     frames = values[:, 0]
     _require_consecutive(section, frames, rows)
     wanted = [column for first in columns for column in range(first, first + 3)]
@@ -98,14 +100,41 @@ def _section(source: str, text: str) -> _Section:
     lines = text.splitlines()
     start = _find(lines)
     assert start is not None, "is_nexus_csv() was not asked"
-    end = start
-    while end < len(lines) and lines[end].strip(DELIMITERS + " "):
-        end += 1
-    if end - start <= _HEAD:
+    rows = list(_rows_of_section(lines, start))
+    if len(rows) <= _HEAD:
         reason = f"has no frames under {lines[start].strip()!r}"
         raise RecordError(source, reason, "was it truncated? Export it again", rows=[start + 1])
     titles = lines[start + 3]
-    return _Section(source, lines[start:end], start + 1, max(DELIMITERS, key=titles.count))
+    found = [lines[i] for i in rows]
+    return _Section(source, found, [i + 1 for i in rows], max(DELIMITERS, key=titles.count))
+
+
+def _rows_of_section(lines: list[str], start: int) -> Iterator[int]:
+    """Indices of the lines of a section that have content.
+
+    The section ends at the first line without content that no line with a number in its first cell follows:
+    frames that were deleted in a spreadsheet leave rows of empty cells, but another section has a name.
+    """
+    is_open = True
+    for i in range(start, len(lines)):
+        line = lines[i].strip(DELIMITERS + ' "')
+        if not line:
+            if i - start < _HEAD:
+                return
+            is_open = False
+        elif is_open or _is_number(re.split(f'["{DELIMITERS}]', line)[0].strip()):
+            is_open = True
+            yield i
+        else:
+            return
+
+
+def _is_number(text: str) -> bool:
+    try:
+        number_of_text(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
@@ -117,14 +146,14 @@ def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
             section.source,
             "has no columns Frame and X, Y, Z",
             "export trajectories from Nexus as ASCII, with commas between the columns",
-            rows=[section.start + 3],
+            rows=[section.rows[3]],
             value=repr(section.lines[3][:40]),
         )
     found = tuple(_cell(names, column) for column in columns)
     if not all(found):
         nameless = columns[found.index("")]
         reason = f"has no name above column {nameless + 1}"
-        raise RecordError(section.source, reason, "label every marker", rows=[section.start + 2])
+        raise RecordError(section.source, reason, "label every marker", rows=[section.rows[2]])
     return found, columns
 
 
@@ -141,7 +170,7 @@ def _rate(section: _Section) -> float:
     slowest, fastest = _RATES
     if not slowest <= rate <= fastest:
         advice = f"the line under the name of the section is the rate in Hz, from {slowest:g} to {fastest:g}"
-        raise RecordError(section.source, "has no rate", advice, rows=[section.start + 1], value=repr(text))
+        raise RecordError(section.source, "has no rate", advice, rows=[section.rows[1]], value=repr(text))
     return rate
 
 
@@ -154,7 +183,7 @@ def _numbers(section: _Section) -> FloatArray:
         if fewest < width or most > width:
             reason = f"has {max(most, min(fewest, width))} cells, its head has {width}"
             advice = "was the file cut off, or are the decimal marks commas? Export it with decimal points"
-            raise RecordError(section.source, reason, advice, rows=[section.start + i])
+            raise RecordError(section.source, reason, advice, rows=[section.rows[i]])
     try:
         body = io.StringIO("\n".join(lines))
         table = pd.read_csv(body, sep=section.delimiter, header=None, names=range(width), dtype=np.float64)
@@ -180,7 +209,7 @@ def _no_number(section: _Section) -> RecordError:
                     if decimal
                     else "write a number or leave it empty",
                     column=f"{_cell(names, above)} {_cell(axes, column)}".strip(),
-                    rows=[section.start + i],
+                    rows=[section.rows[i]],
                     value=repr(cell),
                 )
     return RecordError(section.source, "has cells that are not numbers", "export it again")

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Heading, TableHead
 from pyjoystick.motion.logs.headings import is_unit, understood
@@ -46,6 +47,7 @@ class Candidate:
         decimal: the decimal mark
         names: rows of headings and units, or of headings alone; empty if the file has none
         rows: the rows of data, all of one width
+        empty: numbers of the empty lines between them, which have no cells
         numeric: indices of the columns of numbers
         ragged: the first row of data of another width, or None
         faults: non-numeric cells in columns of numbers, and ragged rows
@@ -56,6 +58,7 @@ class Candidate:
     decimal: str
     names: tuple[Row, ...]
     rows: Sequence[Row]
+    empty: tuple[int, ...]
     numeric: tuple[int, ...]
     ragged: Row | None
     faults: int
@@ -84,20 +87,19 @@ class Candidate:
         line = self.names[-1][0] if self.names else 0
         rows = np.array([number for number, _ in self.rows], dtype=np.int64)
         head = TableHead(path, tuple(headings), self.delimiter, line)
-        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows)
+        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows, self.empty)
 
 
 def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str) -> Candidate | None:
     """Find the table in rows of cells; None if there is none with at least two columns of numbers.
 
     Args:
-        rows: the nonempty lines
+        rows: the lines; rows of empty cells between the numbers are samples, elsewhere they are skipped
         remarks: the comment lines; the one before the numbers may contain their headings
         delimiter: separator of the cells
         decimal: the decimal mark
     """
-    width = Counter(len(cells) for _, cells in rows).most_common(1)[0][0] if rows else 0
-    rows = [(number, _trimmed(cells, width)) for number, cells in rows]
+    width, empty, rows = _of_one_width(rows)
     fitting = [i for i, (_, cells) in enumerate(rows) if len(cells) == width]
     kinds = np.array([[_kind(cell, decimal) for cell in rows[i][1]] for i in fitting], dtype=np.int8)
     if width < 2 or len(fitting) < 2:
@@ -108,12 +110,14 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     starts = np.flatnonzero(is_data[:-1] & is_data[1:])
     if numeric.sum() < 2 or not starts.size:
         return None
-    start = int(starts[0])
+    start = _with_missing_before(kinds, rows, fitting, int(starts[0]))
     first = fitting[start]
     data = [rows[i] for i in fitting[start:]]
-    if any(all(_JOINED.fullmatch(cells[i]) for _, cells in data) for i in np.flatnonzero(~numeric)):
+    samples = [cells for _, cells in data if any(cells)]
+    if any(all(_JOINED.fullmatch(cells[i]) for cells in samples) for i in np.flatnonzero(~numeric)):
         return None
-    names = _names(rows[:first], [row for row in remarks if row[0] < rows[first][0]], width)
+    above = [row for row in rows[:first] if any(row[1])]
+    names = _names(above, [row for row in remarks if row[0] < rows[first][0]], width)
     if names is None:
         return None
     used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
@@ -125,6 +129,7 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         decimal,
         tuple((number, [cells[i] for i in used]) for number, cells in names),
         [(number, [cells[i] for i in used]) for number, cells in data],
+        tuple(number for number in empty if data[0][0] < number < data[-1][0]),
         tuple(used.index(i) for i in columns),
         ragged[0] if ragged else None,
         int(bad[start:].sum()) + len(ragged),
@@ -132,8 +137,42 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     )
 
 
-def _trimmed(cells: list[str], width: int) -> list[str]:
-    """A row without the empty cells beyond the usual width."""
+def _of_one_width(rows: Sequence[Row]) -> tuple[int, list[int], list[Row]]:
+    """The usual width of a row, the numbers of the empty lines, and the other rows fitted to this width.
+
+    Rows without a filled cell at the end are dropped.
+    """
+    filled = [i for i, (_, cells) in enumerate(rows) if any(cells)]
+    if not filled:
+        return 0, [], []
+    width = Counter(len(rows[i][1]) for i in filled).most_common(1)[0][0]
+    rows = rows[: filled[-1] + 1]
+    empty = [number for number, cells in rows if not any(cells) and len(cells) < 2]
+    return (
+        width,
+        empty,
+        [(number, _fitted(cells, width)) for number, cells in rows if any(cells) or len(cells) > 1],
+    )
+
+
+def _with_missing_before(
+    kinds: NDArray[np.int8], rows: Sequence[Row], fitting: Sequence[int], start: int
+) -> int:
+    """Start of the samples including the first ones, if these are missing: NaN or NA in every cell.
+
+    Dashes in every cell are units.
+    """
+    while start and (kinds[start - 1] == _EMPTY_CELL).all():
+        if all(not cell.strip("-") for cell in rows[fitting[start - 1]][1]):
+            break
+        start -= 1
+    return start
+
+
+def _fitted(cells: list[str], width: int) -> list[str]:
+    """A row without the empty cells beyond the usual width; one of empty cells has exactly this width."""
+    if not any(cells):
+        return [""] * width
     return cells if any(cells[width:]) else cells[:width]
 
 

@@ -100,7 +100,7 @@ def read_log(
             reason = f"has no quantity {name!r} with a scale"
             raise RecordError(str(path), reason, "known are theta, omega, T and F")
     found = table.find(wanted, headings=columns, units=units, scales=scales, override=True)
-    series = {} if rate is None else {"time": np.arange(len(table.file.rows)) / rate}
+    series = {} if rate is None else {"time": _places(table) / rate}
     for name, match in found.items():
         zero = scales[name].zero * scales[name].factor if scales and name in scales else 0.0
         series[name] = table.file.numbers(table.heading(match)) * match.factor - zero
@@ -112,6 +112,7 @@ def read_log(
     if not inside.any():
         reason = f"has no samples from {start:g} to {end:g} s" if known.any() else "has no complete row"
         raise RecordError(str(path), reason, "check --from, --to and the columns")
+    left_out = np.union1d(table.file.rows[~known], np.array(table.file.empty, dtype=np.int64))
     log = Log(
         path=Path(path),
         form=table.form,
@@ -119,15 +120,21 @@ def read_log(
         found=found,
         series={name: one[inside] for name, one in series.items()},
         rows=table.file.rows[inside],
-        left_out=table.file.rows[~known],
+        left_out=left_out,
         notes=(
-            *_notes(table, found, table.file.rows[~known]),
+            *_notes(table, found, left_out),
             *_replaced_times(table, rate),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
         ),
     )
     require_no_jump(record_of(log))  # both reject impossible motions
     return log
+
+
+def _places(table: LogTable) -> NDArray[np.int64]:
+    """Place of each row of the table, from 0; an empty line is a sample that was lost."""
+    rows = table.file.rows
+    return np.arange(len(rows)) + np.searchsorted(np.array(table.file.empty, dtype=np.int64), rows)
 
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:

@@ -59,7 +59,7 @@ def _refuse_zip(path: Path) -> str:
 
 
 def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
-    """Nonempty rows of a file that is not text, and whether its numbers are stored as numbers.
+    """Rows of a file that is not text, and whether its numbers are stored as numbers.
 
     Args:
         path: the file
@@ -84,7 +84,7 @@ def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
     frame = tables[name]
     cells = [[text_of(cell) for cell in row] for row in frame.itertuples(index=False, name=None)]
     typed = any(isinstance(cell, int | float) and cell == cell for cell in frame.to_numpy(dtype=object).flat)
-    return [(number, row) for number, row in enumerate(cells, start=1) if any(row)], typed
+    return list(enumerate(cells, start=1)), typed
 
 
 def _chosen(path: Path, tables: Mapping[str, pd.DataFrame], sheet: str) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Final
 
@@ -103,12 +104,12 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
         RecordError: more than one delimiter or decimal mark is possible
     """
     numbered = enumerate(re.split("\r\n|\r|\n", text), start=1)
-    lines = [(number, line.strip(" ")) for number, line in numbered if line.strip()]
+    lines = _without_double_spacing([(number, line.strip(" ")) for number, line in numbered])
     remarks = [(number, line.lstrip("#%/ ")) for number, line in lines if _is_remark(line)]
     lines = _after_labview_headers(path, [(number, line) for number, line in lines if not _is_remark(line)])
     comments = tuple(line.strip() for _, line in remarks)
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
-    # Spreadsheets write rows of delimiters below a table. Between samples, they are samples without a number.
+    # Spreadsheets write rows of delimiters below a table; the last line is to show the delimiter.
     while lines and is_blank(lines[-1][1], "".join(_DELIMITERS.values()) + given):
         lines.pop()
     found: list[Candidate] = []
@@ -135,7 +136,7 @@ def find_in_rows(path: Path, rows: list[Row], typed: bool, layout: Layout) -> Ca
 
     Args:
         path: the file
-        rows: its nonempty rows
+        rows: its rows
         typed: whether numbers are stored as numbers, whose decimal mark is a point
         layout: known layout
 
@@ -153,6 +154,17 @@ def find_in_rows(path: Path, rows: list[Row], typed: bool, layout: Layout) -> Ca
 def delimiter_name(delimiter: str) -> str:
     """Name of a delimiter."""
     return next((name for name, one in _DELIMITERS.items() if one == delimiter), repr(delimiter))
+
+
+def _without_double_spacing(lines: Sequence[tuple[int, str]]) -> list[tuple[int, str]]:
+    """The lines; without the empty ones if these separate all others, as after a wrong conversion.
+
+    Other empty lines may be samples that were lost.
+    """
+    is_empty = [not line.strip() for _, line in lines]
+    if all(one or other for one, other in pairwise(is_empty)):
+        return [line for line, empty in zip(lines, is_empty, strict=True) if not empty]
+    return list(lines)
 
 
 def _is_remark(line: str) -> bool:
@@ -175,6 +187,8 @@ def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tup
         reason = f"holds {len(ends) - 1} measurements, each with a header"
         raise RecordError(str(path), reason, "keep one of them", rows=[lines[ends[2]][0]])
     found = lines[ends[-1] + 1 :]
+    while found and not found[0][1].strip():
+        del found[0]
     if len(found) > 1:
         number, headings = found[0]
         last = re.search(r"([\t,;])Comment$", headings)

@@ -78,6 +78,19 @@ def test_a_measured_motion(command: Command, tmp_path: Path) -> None:
     assert json.loads((tmp_path / "a.json").read_text())["motion"]["differentiated"] is True
 
 
+def test_the_work_of_a_coarsely_sampled_motion(command: Command, tmp_path: Path) -> None:
+    """It is the energy that is stored and lost, although no sample lies where the preload sets in."""
+    turn = 2.0 * np.pi * 2.5
+    time = np.arange(0.0, 1.6, 1.0 / 60.0)
+    theta = 0.2 * np.sin(turn * time)
+    columns = (time, theta, 0.2 * turn * np.cos(turn * time), -(turn**2) * theta)
+    names = [f"{name} ({unit})" for name, unit in _UNITS.items()]
+    pd.DataFrame(dict(zip(names, columns, strict=True))).to_csv(tmp_path / "m.csv", index=False)
+    assert command("torque", "m.csv", "--damping", "constant", "--json", "t.json").code == 0
+    law = json.loads((tmp_path / "t.json").read_text())["laws"][0]
+    assert law["work"] == pytest.approx(law["loss"] + law["energy_change"], abs=2e-4)
+
+
 def test_settings_of_the_filter_are_refused_where_nothing_is_filtered(
     command: Command, tmp_path: Path
 ) -> None:

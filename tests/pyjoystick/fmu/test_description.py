@@ -156,7 +156,7 @@ def test_a_broken_model_description(text: str, message: str, joystick_path: Path
         read_description(path)
 
 
-@pytest.mark.parametrize("version", ["1.0", "9.1", "2.1"])
+@pytest.mark.parametrize("version", ["1.0", "9.1", "2.1", "3.1", "3.1.2", "3.x"])
 def test_another_fmi_version_is_named(version: str, joystick_path: Path, tmp_path: Path) -> None:
     text = f'<fmiModelDescription fmiVersion="{version}" modelName="M" modelIdentifier="M" guid="g"/>'
     path = doctored(joystick_path, tmp_path / "other.fmu", description=lambda _: text)

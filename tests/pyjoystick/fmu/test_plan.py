@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from pyjoystick.fmu import Fmu, FmuNotFoundError, FmuRunError
+from pyjoystick.fmu import Final, Fmu, FmuNotFoundError, FmuRunError
 from pyjoystick.fmu.stepping.engine import PLAIN_LOOP_VARIABLE
 from pyjoystick.support import (
     ParameterError,
@@ -256,6 +256,46 @@ def test_booleans_are_no_angles_and_masked_values_are_missing(joystick: Fmu) -> 
         plan.run_batch([[True]])
     with pytest.raises(ParameterError, match=r"theta_start\[1\] = nan"):
         plan.run_batch(np.ma.masked_array([[0.1], [0.2]], mask=[[False], [True]]))
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        pd.to_timedelta([0.1], unit="s"),
+        pd.to_datetime([1], unit="ns"),
+        pd.to_datetime([1], unit="ns", utc=True),
+        pd.Categorical(pd.to_timedelta([1], unit="ns")),
+        [0.1 + 1e-3j],
+        np.array([np.timedelta64(1, "s")], dtype=object),
+        [True],
+        pd.array([True], dtype="boolean"),
+    ],
+    ids=["duration", "date", "zoned", "category", "complex", "object", "bool", "boolean"],
+)
+def test_columns_of_tables_are_numbers(values: Any, joystick: Fmu) -> None:
+    plan = joystick.plan(TIME, varied=VARIED, outputs=OUTPUTS)
+    table = pd.DataFrame({"damping.C": [0.045], "theta_start": values})
+    with pytest.raises(ParameterError, match="must be made of numbers in rows"):
+        plan.run_batch(table)
+    with pytest.raises(ParameterError, match="must be made of numbers in rows"):
+        joystick.plan(TIME, varied="theta_start").run(table["theta_start"])
+
+
+def test_durations_and_a_single_reduction_are_refused(joystick: Fmu) -> None:
+    second = np.timedelta64(1, "s")
+    with pytest.raises(ParameterError, match="theta_start = 1 second"):
+        joystick.run(TIME, parameters={"theta_start": second})
+    with joystick.start() as stepper, pytest.raises(ParameterError, match="length = 1 second"):
+        stepper.step(second)
+    plan = joystick.plan(TIME, varied="theta_start", outputs=OUTPUTS)
+    with pytest.raises(ParameterError, match=r"reductions = .*must be a sequence"):
+        plan.run_batch([[0.1]], reductions=Final("theta"))  # type: ignore[arg-type]
+
+
+def test_each_column_of_a_table_has_its_own_type(mixed: Fmu) -> None:
+    plan = mixed.plan(TIME, varied=("inverted", "gain"))
+    table = pd.DataFrame({"gain": [1, 2], "inverted": [True, False]})
+    assert list(plan.run_batch(table).messages) == ["", ""]
 
 
 def test_a_plan_keeps_its_fmu_open(joystick_path: Path) -> None:

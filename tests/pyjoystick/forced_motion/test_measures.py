@@ -33,6 +33,39 @@ from tests.pyjoystick.forced_motion.cases import JOYSTICKS, MOTIONS
 BALANCE = 1e-8  # J
 
 
+def _sine(rate: float, amplitude: float, frequency: float) -> Samples:
+    """1.6 s of a sine with exact derivatives."""
+    turn = 2.0 * np.pi * frequency
+    time = np.arange(round(1.6 * rate) + 1) / rate
+    theta = amplitude * np.sin(turn * time)
+    return Samples.trapezoidal(time, theta, amplitude * turn * np.cos(turn * time), -(turn**2) * theta)
+
+
+@pytest.mark.parametrize(
+    ("rate", "amplitude", "frequency"), [(100.0, 0.25, 1.3), (60.0, 0.2, 2.5), (60.0, 0.3, 0.8)]
+)
+@pytest.mark.parametrize("joystick", JOYSTICKS.values(), ids=JOYSTICKS)
+def test_the_work_of_coarse_samples(
+    joystick: JoystickParameters, rate: float, amplitude: float, frequency: float
+) -> None:
+    """The preload, which sets in between two samples, counts with the angle at which it does."""
+    coarse = _sine(rate, amplitude, frequency).refined(joystick)
+    found = measure(joystick, coarse, torque_by_reference(joystick, coarse))
+    fine = _sine(3200.0 * rate, amplitude, frequency)
+    exact = measure(joystick, fine, torque_by_reference(joystick, fine))
+    assert coarse.duration == pytest.approx(np.sum(coarse.weights), rel=1e-12)
+    for name in ("work", "positive_work", "negative_work", "loss"):
+        assert getattr(found, name) == pytest.approx(getattr(exact, name), rel=3e-3, abs=3e-4)
+    assert found.work == pytest.approx(found.loss + found.energy_change, abs=1e-4)
+    assert found.total.rms == pytest.approx(exact.total.rms, rel=2e-3)
+
+
+def test_refined_samples_stay_within_the_stops() -> None:
+    joystick = NOMINAL.replace({"stops.theta_stop": 0.2})
+    samples = _sine(60.0, 0.2, 2.5).refined(joystick)
+    assert np.abs(samples.theta).max() == 0.2
+
+
 def _measured(motion: ForwardAndReturn, joystick: JoystickParameters) -> TorqueMeasures:
     samples = Samples.of(joystick, motion)
     return measure(joystick, samples, torque_by_reference(joystick, samples))

@@ -55,6 +55,12 @@ def test_the_trapezoidal_rule_is_exact_for_straight_lines() -> None:
     assert samples.duration == 0.3
 
 
+def test_a_motion_with_a_jump_is_not_refined() -> None:
+    samples = Samples.trapezoidal(np.array([0.0, 0.1, 0.1, 0.2]), *np.zeros((3, 4)))
+    with pytest.raises(SeriesError, match=r"'time': does not increase at sample 2, 0\.1 s"):
+        samples.refined(NOMINAL)
+
+
 @pytest.mark.parametrize(
     ("time", "theta", "message"),
     [

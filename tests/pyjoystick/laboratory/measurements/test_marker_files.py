@@ -49,6 +49,16 @@ def test_nexus_frames_that_are_left_out_are_gaps(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.diff(markers.time).max(), 6.0 / 60.0)
 
 
+@pytest.mark.parametrize("line", ["", "," * 10, " , , "])
+def test_nexus_frames_after_rows_of_empty_cells_are_read(line: str, tmp_path: Path) -> None:
+    lines = nexus_text(POINTS).splitlines()
+    text = "\n".join([*lines[:20], *[line] * 5, *lines[25:], "", "Model Outputs", "60", "1,0,5"])
+    markers = read_markers(write(tmp_path / "a.csv", text))
+    np.testing.assert_allclose(markers.time, np.delete(TIME, np.arange(10, 15)), atol=1e-9)
+    assert markers.rows.tolist() == [*range(11, 21), *range(26, 51)]
+    np.testing.assert_allclose(markers.positions, np.delete(POINTS, np.arange(10, 15), axis=0) * 1e-3)
+
+
 def _changed(text: str, line: int, old: str, new: str) -> str:
     lines = text.splitlines()
     assert old in lines[line - 1]
@@ -67,6 +77,7 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
             _changed(NEXUS, 15, "1.5", "1.5x"),
             r"a\.csv, column 'Joystick:TOP X', row 15: is not a number .*'1.5x'",
         ),
+        (NEXUS.replace("\n13,", "\n\n13,") + "22", "row 32: has 1 cells"),
         (NEXUS.replace(",", ";").replace(".", ","), r"'Joystick:TOP X', row 11: is not a number.*not commas"),
         (NEXUS.replace("1.5", "1,5"), r"row 11: has 20 cells, its head has 11.*decimal marks commas"),
         (_changed(NEXUS, 15, "1.5,1.5,1.5,1.5,1.5", "1.5"), r"row 15: has 7 cells, its head has 11"),

@@ -97,6 +97,20 @@ def test_empty_cells_of_a_workbook_are_left_out(tmp_path: Path) -> None:
     np.testing.assert_allclose(log.series["theta"], DEG * np.delete(ANGLE, [5, 6, 7]), atol=1e-12)
 
 
+@pytest.mark.parametrize("suffix", ENGINES)
+def test_empty_rows_of_a_workbook_take_the_time_of_a_sample(suffix: str, tmp_path: Path) -> None:
+    table = pd.DataFrame({"n": np.arange(COUNT, dtype=float), "theta (deg)": ANGLE})
+    table.loc[60:69] = np.nan
+    log = read_log(_workbook(tmp_path / f"log.{suffix}", ("a", table)), rate=250.0)
+    assert log.left_out.tolist() == list(range(62, 72))
+    np.testing.assert_allclose(log.series["time"], np.delete(TIME, np.arange(60, 70)), atol=1e-12)
+
+
+def test_an_empty_row_below_the_headings_of_a_workbook(tmp_path: Path) -> None:
+    table = pd.concat([pd.DataFrame({name: [None] for name in GERMAN}, dtype=object), GERMAN])
+    _check(_workbook(tmp_path / "log.xlsx", ("a", table)), torque=True)
+
+
 UNITS = {"time": "s", "theta": "deg"}
 
 
@@ -148,6 +162,17 @@ def test_a_matrix_in_a_matlab_file(tmp_path: Path) -> None:
     with pytest.raises(RecordError, match="There are 'data #1', 'data #2': --column "):
         read_log(path)
     _check(path, columns={"time": "data #1", "theta": "data #2"}, units=UNITS)
+
+
+@pytest.mark.parametrize("missing", [slice(0, 3), slice(50, 53)], ids=["first", "inside"])
+def test_samples_without_a_number_in_a_matlab_file(missing: slice, tmp_path: Path) -> None:
+    time, theta = TIME.copy(), ANGLE.copy()
+    time[missing] = theta[missing] = np.nan
+    path = _matlab(tmp_path / "log.mat", "5", {"time_s": time, "theta_deg": theta})
+    for options in ({}, {"rate": 250.0}):
+        log = read_log(path, **options)
+        assert log.left_out.tolist() == [2 + i for i in range(COUNT)[missing]]
+        np.testing.assert_allclose(log.series["time"], TIME[~np.isnan(time)], atol=1e-12)
 
 
 def test_vectors_of_different_lengths(tmp_path: Path) -> None:

@@ -401,6 +401,37 @@ def test_rows_without_a_number_are_left_out_and_named(tmp_path: Path) -> None:
     assert "4 rows without a number are left out: rows 11-13, 31" in log.notes
 
 
+@pytest.mark.parametrize(
+    ("delimiter", "line"), [(",", ","), (";", ";"), ("\t", "\t"), (",", ""), ("\t", ""), (";", " ")]
+)
+def test_rows_without_cells_take_the_time_of_a_sample(delimiter: str, line: str, tmp_path: Path) -> None:
+    lines = text(("n", "theta (deg)"), range(COUNT), ANGLE, delimiter=delimiter).split("\n")
+    lines[61:71] = [line] * 10
+    log = read_log(written(tmp_path / "log.csv", "\n".join(lines)), rate=250.0)
+    np.testing.assert_allclose(log.series["time"], np.delete(TIME, np.arange(60, 70)), atol=1e-12)
+    assert log.left_out.tolist() == list(range(62, 72))
+    assert "10 rows without a number are left out: rows 62-71" in log.notes
+
+
+@pytest.mark.parametrize("newline", ["\n\n", "\r\r\n"])
+def test_empty_lines_between_all_lines_are_no_samples(newline: str, tmp_path: Path) -> None:
+    content = text(("n", "theta (deg)"), range(COUNT), ANGLE, newline=newline)
+    log = read_log(written(tmp_path / "log.csv", content), rate=250.0)
+    np.testing.assert_allclose(log.series["time"], TIME, atol=1e-12)
+    assert not log.left_out.size
+
+
+@pytest.mark.parametrize("line", [";", "", " ; "])
+@pytest.mark.parametrize("after", [0, 1, 2])
+def test_rows_without_cells_above_the_samples_are_skipped(line: str, after: int, tmp_path: Path) -> None:
+    lines = text((), TIME, ANGLE, delimiter=";", before="Log of test 7;\ntime;theta\ns;deg\n").split("\n")
+    lines[after + 1 : after + 1] = [line] * 3
+    log = read_log(written(tmp_path / "log.csv", "\n".join(lines)))
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, atol=1e-9)
+    np.testing.assert_allclose(log.series["time"], TIME, atol=1e-9)
+    assert not log.left_out.size
+
+
 def test_a_stretch_is_cut_out(tmp_path: Path) -> None:
     log = read_log(written(tmp_path / "log.csv", _german()), start=0.1, end=0.2)
     assert log.series["time"][[0, -1]] == pytest.approx([0.1, 0.2])
