@@ -48,7 +48,8 @@ def uses_of_replaceable_packages(
     for inner in {id(one): one for one in used}.values():
         for name in _outer_packages(library, inner):
             if _uses(inner.tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):
-                yield f"a constant of {name}, which is redeclared, in a class inside, {inner.name}", inner
+                what = f"{inner.name} uses a constant of the replaceable package {name} around it"
+                yield f"{what}, which a component redeclares", inner
 
 
 def _outer_packages(library: Library, inner: Class) -> Iterator[str]:

@@ -51,7 +51,8 @@ def _differences(
         yield f"{difference}, because the compiler looks it up there first; rename one of them", span
     for difference, around in uses_of_replaceable_packages(model, library, instances):
         span = model.span(list(model.sources)[around.file], around.start, around.end)
-        yield f"{difference}, is not supported, because the compiler takes another package; pass it on", span
+        why = "the compiler would take another package"
+        yield f"{difference}: {why}; pass the value as a parameter or an argument", span
     for difference in mistaken_variables(model, instances):
         yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
     for difference, span in (*mistaken_equations(model, instances), *mistaken_clauses(model, instances)):

@@ -371,7 +371,7 @@ _MISPLACED = {
         "model V replaceable package Q=W constrainedby B; function g input Real x; output Real y; "
         "algorithm y:=x*Q.h; end g; Real y=g(time); end V;",
         "P.V b(redeclare package Q=P.A);",
-        "a constant of Q, which is redeclared, in a class inside, g, is not supported",
+        "g uses a constant of the replaceable package Q around it, which a component redeclares",
     ),
 }
 
