@@ -6,7 +6,7 @@ left out, or with another variable, sign, constant or function.
 
 from __future__ import annotations
 
-import copy
+import pickle
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -158,6 +158,8 @@ class _Reading:
         self._library = Library(text for _, text in self.model.sources.values())
         self._instances = Instances(self._library, self._library.class_of(self.model.name))
         self._connections = Connections(self._instances)
+        names = ("equations", "initial_equations", "functions", *_CLAUSES)
+        self._trees = pickle.dumps({name: self.flat[name] for name in names})  # faster than deep copies
 
     def differences(self, change: Callable[[dict[str, Any]], object]) -> Iterator[object]:
         changed = replace(self.model, flat=self.changed(change))
@@ -171,8 +173,7 @@ class _Reading:
         return next(self.differences(change), None) is not None
 
     def changed(self, change: Callable[[dict[str, Any]], object]) -> dict[str, Any]:
-        trees = ("equations", "initial_equations", "functions", *_CLAUSES)
-        flat = {**self.flat, **{name: copy.deepcopy(self.flat[name]) for name in trees}}
+        flat = {**self.flat, **pickle.loads(self._trees)}
         change(flat)
         return flat
 
