@@ -18,6 +18,8 @@ from typing import Final
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import REDECLARE
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.inlined import names_of_constants
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class, Tokens
@@ -50,6 +52,46 @@ def uses_of_replaceable_packages(
             if _uses(inner.tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):
                 what = f"{inner.name} uses a constant of the replaceable package {name} around it"
                 yield f"{what}, which a component redeclares", inner
+
+
+def constants_of_heirs(library: Library, instances: Instances) -> Iterator[tuple[str, Class]]:
+    """Yield constants that rumoca may take from another heir of their package without a trace.
+
+    These are Booleans, of which only the branch that they decide is left, and constants of packages that a
+    class redeclares as an element.
+    """
+    for path, part in instances.parts.items():
+        for owner in part.classes:
+            yield from _booleans(library, instances, Scope(path, owner))
+    for owner in library.classes():
+        yield from _of_redeclared_packages(library, owner)
+
+
+def _booleans(library: Library, instances: Instances, scope: Scope) -> Iterator[tuple[str, Class]]:
+    values = (one.modifier.value for one in scope.around.components)
+    for tokens in (*_texts(scope.around), *values):
+        for name in names_of_constants(tokens):
+            with suppress(UnknownError):
+                if not instances.means_member(name, scope):
+                    package, last = instances.place_of_constant(name, scope)
+                    if _is_shared(library, package, last, "Boolean"):
+                        yield f"the Boolean {name}", scope.around
+
+
+def _of_redeclared_packages(library: Library, owner: Class) -> Iterator[tuple[str, Class]]:
+    for one in owner.classes.values():
+        if one.kind == "package" and "redeclare" in one.prefixes and one.is_short:
+            with suppress(UnknownError):
+                heirs = {id(base) for base in library.lineage(library.base(one, one.bases[0][0]))}
+                is_used = any(_uses(base.tokens, one.name) for base in library.bases(owner))
+                if heirs & library.changed and is_used:
+                    yield f"constants of {one.name}", owner
+
+
+def _is_shared(library: Library, package: Class, name: str, kind: str) -> bool:
+    """Return whether a constant of this type stands in a base of which heirs have other constants."""
+    around, component = library.components(package).get(name, (package, None))
+    return component is not None and component.type == kind and id(around) in library.changed
 
 
 def _outer_packages(library: Library, inner: Class) -> Iterator[str]:

@@ -8,7 +8,11 @@ from collections.abc import Iterator
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.captures import captured_names, uses_of_replaceable_packages
+from fmu_build.codegen.second_reading.captures import (
+    captured_names,
+    constants_of_heirs,
+    uses_of_replaceable_packages,
+)
 from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
@@ -53,6 +57,10 @@ def _differences(
         span = model.span(list(model.sources)[around.file], around.start, around.end)
         why = "the compiler would take another package"
         yield f"{difference}: {why}; pass the value as a parameter or an argument", span
+    for difference, around in constants_of_heirs(library, instances):
+        span = model.span(list(model.sources)[around.file], around.start, around.end)
+        why = "the compiler may take those of another package with the same base"
+        yield f"{difference} in {around.name} cannot be checked: {why}; use a parameter", span
     for difference in mistaken_variables(model, instances):
         yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
     for difference, span in (*mistaken_equations(model, instances), *mistaken_clauses(model, instances)):

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.equations import mistaken_names
+from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Scope
 from fmu_build.codegen.second_reading.instances import Instances, around
 from fmu_build.codegen.second_reading.sections import When, statements
@@ -38,8 +38,9 @@ def _names(model: LoweredModel, instances: Instances, one: Mapping[str, Any]) ->
     part = instances.parts.get(path)
     for owner in part.classes if part is not None else ():
         if owner.contains(*_place(model, one["span"])):
-            for difference in mistaken_names(model, instances, Scope(path, owner), dict(one)):
-                yield difference, one["span"]
+            for check in (mistaken_names, mistaken_numbers):
+                for difference in check(model, instances, Scope(path, owner), dict(one)):
+                    yield difference, one["span"]
 
 
 def _place(model: LoweredModel, span: Span) -> tuple[int, int]:
@@ -58,16 +59,27 @@ def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Differe
     for chain in chains:
         place = _place(model, chain["span"])
         possible = [one for owners in paths.values() for one in owners if one[1].contains(*place)]
-        own = [path for path, owner in possible if _is_of(model, instances, Scope(path, owner), chain)]
+        scopes = [Scope(path, owner) for path, owner in possible]
+        scopes = [scope for scope in scopes if _is_of(model, instances, scope, chain)]
+        own = [scope.path for scope in scopes]
+        if len(scopes) == 1:
+            for difference in mistaken_numbers(model, instances, scopes[0], dict(chain)):
+                yield difference, chain["span"]
         if possible and not own and _is_known(instances, chain):
             yield f"a when-clause of {possible[0][1].name} has variables of another component", chain["span"]
         for path in own:
             found[path].append(place)
     for path, owner in (one for owners in paths.values() for one in owners):
-        for start, end in _of_class(owner):
-            if not any(file == owner.file and start <= place < end for file, place in found[path]):
-                where = f" of {path}" if path else ""
-                yield f"a when-clause{where} is lost", model.span(list(model.sources)[owner.file], start, end)
+        yield from _lost(model, Scope(path, owner), found[path])
+
+
+def _lost(model: LoweredModel, scope: Scope, found: Sequence[tuple[int, int]]) -> Iterator[Difference]:
+    """Yield the when-clauses of a component that are not at these places."""
+    owner = scope.around
+    for start, end in _of_class(owner):
+        if not any(file == owner.file and start <= place < end for file, place in found):
+            where = f" of {scope.path}" if scope.path else ""
+            yield f"a when-clause{where} is lost", model.span(list(model.sources)[owner.file], start, end)
 
 
 def _is_known(instances: Instances, chain: Mapping[str, Any]) -> bool:

@@ -37,7 +37,7 @@ def mistaken_constants(instances: Instances, scope: Scope, tokens: Tokens, tree:
     _collect(tree, values)
     if any(map(math.isnan, values)):
         return  # One of the values is that of a function.
-    for name in _names(tokens):
+    for name in names_of_constants(tokens):
         with suppress(UnknownError):
             if not instances.means_member(name, scope) and not instances.means_literal(name, scope):
                 meant = instances.constant(name, scope)
@@ -47,10 +47,10 @@ def mistaken_constants(instances: Instances, scope: Scope, tokens: Tokens, tree:
                     yield f"the value of {name} is not {meant:g}"
 
 
-def _names(tokens: Tokens) -> Iterator[str]:
+def names_of_constants(tokens: Tokens) -> Iterator[str]:
     """Yield the qualified names in an expression, but not those of functions."""
     name = ""
-    for token, after in zip(tokens, (*tokens[1:], ""), strict=True):
+    for token, after in zip(tokens, (*tokens[1:], ""), strict=False):
         if token == "." or (token.isidentifier() and (not name or name.endswith("."))):
             name += token
         if name and after != "." and not name.endswith("."):

@@ -182,7 +182,7 @@ class Instances:
 
         Raises `UnknownError` if its meaning is not known.
         """
-        owner, last = self._place_of_constant(name, scope)
+        owner, last = self.place_of_constant(name, scope)
         return last in owner.literals
 
     def value(self, given: Given) -> Value:
@@ -227,7 +227,7 @@ class Instances:
 
         Raises `UnknownError` if it means something else, or the value is not known.
         """
-        owner, last = self._place_of_constant(name, scope)
+        owner, last = self.place_of_constant(name, scope)
         if last in owner.literals:
             return float(owner.literals.index(last) + 1)
         if owner.kind != "package":
@@ -240,7 +240,7 @@ class Instances:
             raise UnknownError
         return package.named(last, Scope("", owner))
 
-    def _place_of_constant(self, name: str, scope: Scope) -> tuple[Class, str]:
+    def place_of_constant(self, name: str, scope: Scope) -> tuple[Class, str]:
         """Return the class in which a constant is, and its name there."""
         *path, last = name.removeprefix(".").split(".")
         if name.startswith("."):
@@ -254,7 +254,7 @@ class Instances:
                 return around, last
             for known, qualified in around.imports:
                 if known == last:
-                    return self._place_of_constant(f".{qualified}", scope)
+                    return self.place_of_constant(f".{qualified}", scope)
                 if known == "*" and last in self.library.components(self.library.class_of(qualified)):
                     return self.library.class_of(qualified), last
             if "encapsulated" in around.prefixes:

@@ -365,6 +365,29 @@ _MISPLACED = {
         "P.V a; P.V b(redeclare package Q=P.A);",
         "Q.h is not 50",
     ),
+    "in a when-clause": (
+        "partial package B constant Real h=0; end B; package W extends B; end W; "
+        "package A extends B(h=50); end A; "
+        "model V replaceable package Q=W; discrete Real y(start=0, fixed=true); "
+        "equation when time > 0.5 then y=Q.h; end when; end V;",
+        "P.V a; Real d=P.A.h;",
+        "Q.h is not 50",
+    ),
+    "a Boolean": (
+        "partial package B constant Boolean h=false; constant Real g=1; end B; package W extends B; end W; "
+        "package A extends B(h=true); end A; "
+        "model V Real y; equation y=time*(if P.W.h then 3 else 5); end V;",
+        "P.V a; Real d=P.A.g;",
+        "the Boolean P.W.h in V cannot be checked",
+    ),
+    "a package that a class redeclares": (
+        "partial package B constant Real h=0; end B; package W extends B; end W; "
+        "package A extends B(h=50); end A; "
+        "model V replaceable package Q=A; Real y; equation y=Q.h*time; end V; "
+        "model X extends V; redeclare package Q=W; end X;",
+        "P.X a;",
+        "constants of Q in X cannot be checked",
+    ),
     "a constant of a replaceable package in a function inside": (
         "partial package B constant Real h; end B; package W extends B(h=1); end W; "
         "package A extends B(h=5); end A; "
