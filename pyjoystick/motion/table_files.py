@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Column, Heading, TableHead
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.support import FloatArray, number_of_text
+from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _LOG = logging.getLogger(__name__)
 
@@ -210,7 +210,7 @@ def _head(path: Path, filled: Iterator[tuple[int, str]]) -> TableHead:
     headings = tuple(Heading.of(cell) for cell in cells_of_line(path, number, line, delimiter))
     counts = Counter(heading.text for heading in headings)
     for text, count in counts.items():
-        if _is_number(text):
+        if is_number_text(text):
             reason = "has a number where a heading is expected"
             raise RecordError(str(path), reason, example, rows=[number], value=repr(text))
         if count > 1:
@@ -230,11 +230,3 @@ def cells_of_line(path: Path, number: int, line: str, delimiter: str) -> tuple[s
             str(path), f"is not a row of cells: {error}", "export it again", rows=[number]
         ) from error
     return tuple(cell.strip() for cell in cells)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        number_of_text(text)
-    except ValueError:
-        return False
-    return True

@@ -8,6 +8,7 @@ from .checks import (
     angle as angle,
     finite as finite,
     increasing_times as increasing_times,
+    is_number_text as is_number_text,
     not_negative as not_negative,
     number_of_text as number_of_text,
     positive as positive,

@@ -40,6 +40,15 @@ def number_of_text(text: str) -> float:
     return float(text)
 
 
+def is_number_text(text: str) -> bool:
+    """Whether a text is a number for `number_of_text`."""
+    try:
+        number_of_text(text)
+    except ValueError:
+        return False
+    return True
+
+
 def finite(field: str, value: object, unit: str = "", allowed: str = "a finite number") -> float:
     """`value` as a float; text, complex numbers, NaN and infinities are rejected."""
     number = math.nan

@@ -40,13 +40,12 @@ def uses_of_replaceable_packages(
     model: LoweredModel, library: Library, instances: Instances
 ) -> Iterator[tuple[str, Class]]:
     """Yield the constants of replaceable packages that inner classes use, and these classes."""
-    numbers = {source: number for number, source in enumerate(model.sources)}
     used = [owner for part in instances.parts.values() for owner in part.classes]
     used += [one for owner in used for one in owner.classes.values() if one.kind == "package"]
     for function in model.flat["functions"].values():
         span = function["span"]
         with suppress(UnknownError, KeyError):
-            used.append(library.class_at(numbers[span["source"]], model.offset(span)))
+            used.append(library.class_at(span["source"], model.offset(span)))
     for inner in {id(one): one for one in used}.values():
         for name in _outer_packages(library, inner):
             if _uses(inner.tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):

@@ -32,7 +32,7 @@ def reject_other_values(model: LoweredModel) -> None:
         UnsupportedModelError: rumoca has lost or misread something
     """
     try:
-        library = Library(text for _, text in model.sources.values())
+        library = Library({number: text for number, (_, text) in model.sources.items()})
         instances = Instances(library, library.class_of(model.name))
     except (SyntaxError, UnknownError):
         return  # The checks that look for single constructs remain.
@@ -51,14 +51,14 @@ def _differences(
     for difference, span in mistaken_values(model, instances):
         yield f"{difference}; declare the value in a class of its own", span
     for difference, around in captured_names(library, instances):
-        span = model.span(list(model.sources)[around.file], around.start, around.end)
+        span = model.span(around.file, around.start, around.end)
         yield f"{difference}, because the compiler looks it up there first; rename one of them", span
     for difference, around in uses_of_replaceable_packages(model, library, instances):
-        span = model.span(list(model.sources)[around.file], around.start, around.end)
+        span = model.span(around.file, around.start, around.end)
         why = "the compiler would take another package"
         yield f"{difference}: {why}; pass the value as a parameter or an argument", span
     for difference, around in constants_of_heirs(library, instances):
-        span = model.span(list(model.sources)[around.file], around.start, around.end)
+        span = model.span(around.file, around.start, around.end)
         why = "the compiler may take those of another package with the same base"
         yield f"{difference} in {around.name} cannot be checked: {why}; use a parameter", span
     for difference in mistaken_variables(model, instances):

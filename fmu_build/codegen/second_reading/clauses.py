@@ -45,7 +45,7 @@ def _names(model: LoweredModel, instances: Instances, one: Mapping[str, Any]) ->
 
 def _place(model: LoweredModel, span: Span) -> tuple[int, int]:
     """Return the number of the file and the offset at which something stands."""
-    return list(model.sources).index(span["source"]), model.offset(span)
+    return span["source"], model.offset(span)
 
 
 def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Difference]:
@@ -79,7 +79,7 @@ def _lost(model: LoweredModel, scope: Scope, found: Sequence[tuple[int, int]]) -
     for start, end in _of_class(owner):
         if not any(file == owner.file and start <= place < end for file, place in found):
             where = f" of {scope.path}" if scope.path else ""
-            yield f"a when-clause{where} is lost", model.span(list(model.sources)[owner.file], start, end)
+            yield f"a when-clause{where} is lost", model.span(owner.file, start, end)
 
 
 def _is_known(instances: Instances, chain: Mapping[str, Any]) -> bool:

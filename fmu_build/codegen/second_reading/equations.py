@@ -7,17 +7,16 @@ component. Each equation of its classes must be there, if it is not in a branch 
 from __future__ import annotations
 
 import bisect
-import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from typing import Any, Final
+from typing import Any
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.givens import Scope, plain
 from fmu_build.codegen.second_reading.inlined import mistaken_constants
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.packages import NAME, is_iterator, is_one_of
@@ -26,18 +25,16 @@ from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, 
 from fmu_build.codegen.second_reading.syntax import TOKEN, Section
 
 Difference = tuple[str, Span]
-_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]|\s")
 
 
 def mistaken_equations(model: LoweredModel, instances: Instances) -> Iterator[Difference]:
     """Yield what is wrong with the equations of components, and where these stand."""
-    numbers = {source: number for number, source in enumerate(model.sources)}
     for kind in ("equations", "initial_equations"):
-        found = _by_component(one for one in model.flat[kind] if one["span"]["source"] in numbers)
+        found = _by_component(one for one in model.flat[kind] if one["span"]["source"] in model.sources)
         for path, part in instances.parts.items():
             for equation in found.get(path, []):
                 span = equation["span"]
-                place = (numbers[span["source"]], model.offset(span))
+                place = (span["source"], model.offset(span))
                 owner = next((one for one in part.classes if one.contains(*place)), None)
                 if owner is None:
                     yield f"{path} has an equation that is not in its class", span
@@ -78,31 +75,25 @@ def mistaken_names(model: LoweredModel, instances: Instances, scope: Scope, tree
     for reference in expressions(tree, "VarRef"):
         if reference["name"]["instance_id"] is None or reference["span"]["source"] not in model.sources:
             continue  # an iterator, or made by rumoca
-        written = _plain(model.text(reference["span"]))
+        written = plain(model.text(reference["span"]))
         with suppress(UnknownError):
             if instances.means_member(written, scope):
                 prefix, found = f"{scope.path}." if scope.path else "", reference["name"]["name"]
-                inner = _plain(found.removeprefix(prefix))
+                inner = plain(found.removeprefix(prefix))
                 # It may go on with a member of a record, or be followed by one.
                 is_same = f"{inner}.".startswith(f"{written}.") or f"{written}.".startswith(f"{inner}.")
                 if not (found.startswith(prefix) and is_same) and not instances.is_through_outer(
-                    _plain(prefix + written)
+                    plain(prefix + written)
                 ):
                     yield f"{written} means {found} instead of {prefix}{written}"
 
 
-def _plain(name: str) -> str:
-    """Return a name without its subscripts."""
-    while (shorter := _SUBSCRIPTS.sub("", name)) != name:
-        name = shorter
-    return name
-
-
 def mistaken_numbers(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
     """Yield numbers that rumoca has written for names of variables and constants, if these have others."""
-    file = list(model.sources)[scope.around.file]
     for span, value in _numbers(model, tree):
-        if span["source"] != file or not scope.around.contains(scope.around.file, model.offset(span)):
+        if span["source"] not in model.sources or not scope.around.contains(
+            span["source"], model.offset(span)
+        ):
             continue  # It stands in the declaration of a function or constant.
         written = model.text(span)
         if NAME.fullmatch(written):
@@ -133,7 +124,7 @@ class _Comparison:
         self._model = model
         self._instances = instances
         self._scope = scope
-        self._file = list(model.sources)[scope.around.file]
+        self._file = scope.around.file
         own = [one for one in found if one["span"]["source"] == self._file]
         self._starts = [model.offset(one["span"]) for one in own]
         spans = (span for one in own for span in expressions(one["residual"], "span"))

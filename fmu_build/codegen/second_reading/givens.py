@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
 from fmu_build.codegen.second_reading.syntax import Class, Modifier, Tokens
+
+_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]|\s")
 
 Mistake = tuple[str, str]
 """What is invalid, and the name that it is about."""
@@ -115,3 +118,10 @@ def both(path: str, outer: Given | None, inner: Given | None, mistakes: list[Mis
         type_scope=outer.type_scope if outer.type else inner.type_scope,
         redeclares=outer.redeclares or inner.redeclares or is_unclear,
     )
+
+
+def plain(path: str) -> str:
+    """Return a path without its subscripts."""
+    while (shorter := _SUBSCRIPTS.sub("", path)) != path:
+        path = shorter
+    return path

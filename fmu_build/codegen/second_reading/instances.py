@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass
@@ -27,11 +26,12 @@ from fmu_build.codegen.second_reading.givens import (
     joined,
     merged,
     nowhere,
+    plain,
 )
+from fmu_build.codegen.second_reading.invalid import repeated_classes, repeated_components, unknown_names
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
-_SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]")
 #: Prefixes of a component that apply to the variables in it.
 _INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
 _MOST_ELEMENTS: Final = 1000
@@ -110,6 +110,7 @@ class Instances:
         leaves: by path, as ``a.b[2].c``; an array of a predefined type is one
         parts: the other components by path, with the subscripts of arrays; the path of the model is empty
         sizes: of all components, by path; the last name has no subscripts
+        dimensions: the expressions of all sizes, also of those that are not known, with their scopes
         absent: the paths of components whose conditions are false
         mistakes: what is invalid in the modifiers, each with the name that it is about
     """
@@ -119,10 +120,10 @@ class Instances:
         self.leaves: dict[str, Leaf] = {}
         self.parts: dict[str, Part] = {}
         self.sizes: dict[str, tuple[int, ...]] = {}
+        self.dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self.absent: set[str] = set()
         self.mistakes: list[Mistake] = []
         self.library = library
-        self._dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self._members: dict[str, set[str]] = {}
         self._classes_given: dict[tuple[str, int], Mapping[str, Given]] = {}
         self._packages = {} if packages is None else packages
@@ -141,33 +142,8 @@ class Instances:
 
     def may_be_outer(self, path: str) -> bool:
         """Return whether an outer component has the name of this one, which may be the inner one."""
-        name = _SUBSCRIPTS.sub("", path).rpartition(".")[2]
+        name = plain(path).rpartition(".")[2]
         return any(outer.rpartition(".")[2] == name for outer in self._outer)
-
-    def n_dimensions(self, path: str) -> int:
-        """Return the number of dimensions of a component, even if its sizes are not known."""
-        return len(self._dimensions.get(path, ()))
-
-    def is_ambiguous_size(self, path: str) -> bool:
-        """Return whether a size of a component follows a qualified name that ends as a name of its class.
-
-        This is so in ``A a; parameter Integer n = 3; S s[a.n]``.
-        """
-        with suppress(UnknownError):
-            return any(self._is_ambiguous(*size, 0) for size in self._dimensions.get(path, ()))
-        return False
-
-    def _is_ambiguous(self, tokens: Tokens, scope: Scope, depth: int) -> bool:
-        own = self.library.components(scope.around)
-        for before, token, after in zip(("", *tokens), tokens, (*tokens[1:], ""), strict=False):
-            if before == "." and after not in (".", "(") and token in own:
-                return True
-            leaf = self.leaves.get(joined(scope.path, token))
-            is_plain = "." not in (before, after) and depth < _DEEPEST
-            given = leaf.given if leaf is not None and is_plain else NOTHING
-            if given.scope is not None and self._is_ambiguous(given.value, given.scope, depth + 1):
-                return True
-        return False
 
     def means_member(self, name: str, scope: Scope) -> bool:
         """Return whether a name means a variable or component of the component in which it stands.
@@ -298,14 +274,14 @@ class Instances:
         names = {one.component.name for one in members}
         outer = {one.component.name for one in members if "outer" in one.component.prefixes}
         self._members[path] = names - outer if is_known else set()
-        self._outer |= {_SUBSCRIPTS.sub("", joined(path, name)) for name in outer}
+        self._outer |= {plain(joined(path, name)) for name in outer}
         if not is_known:
             return
         with suppress(UnknownError):
             self.parts[path] = Part(tuple(self.library.lineage(owner)), owner.kind)
-        self._check_names(path, owner, given, names)
-        self._check_repeated(path, members)
-        self._check_repeated_classes(owner)
+        self.mistakes += unknown_names(self.library, path, owner, given, names)
+        self.mistakes += repeated_components(path, ((one.component, one.around) for one in members))
+        self.mistakes += repeated_classes(self.library, owner)
         # Sizes and conditions depend on other variables, which may be declared later.
         unknown = members
         while unknown:
@@ -331,7 +307,8 @@ class Instances:
             inner = inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner))
             all_given = merged(path, all_given, inner, self.mistakes)
             inherited = list(self._components(path, base, merged(path, given, inner, self.mistakes)))
-            self._check_names(path, base, inner, {one.component.name for one in inherited})
+            names = {one.component.name for one in inherited}
+            self.mistakes += unknown_names(self.library, path, base, inner, names)
             yield from (one for one in inherited if one.component.name not in redeclared)
         self._classes_given[path, id(owner)] = all_given
         for component in owner.components:
@@ -355,7 +332,7 @@ class Instances:
             attributes = both(name, attributes, given_by(modifier, Scope(NOWHERE, kind)), self.mistakes)
             dimensions += [(tokens, Scope(NOWHERE, kind)) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
-        self._dimensions[name] = dimensions
+        self.dimensions[name] = dimensions
         whole = both(name, given, attributes, self.mistakes)
         sizes = tuple(
             self._size(tokens, where) if tokens != (":",) else self._size_of_value(whole, place)
@@ -413,36 +390,6 @@ class Instances:
         if not isinstance(value, list):
             raise UnknownError
         return len(value)
-
-    def _check_names(self, path: str, owner: Class, given: Mapping[str, Given], members: set[str]) -> None:
-        with suppress(UnknownError):
-            for name in sorted(given.keys() - members):
-                if not self._has_class(owner, name):
-                    what = f"{owner.name} has no element {name}, which {path} is given"
-                    self.mistakes.append((what, name))
-
-    def _has_class(self, owner: Class, name: str) -> bool:
-        return name in owner.classes or any(self._has_class(base, name) for base in self.library.bases(owner))
-
-    def _check_repeated(self, path: str, members: list[_Member]) -> None:
-        first: dict[str, _Member] = {}
-        for member in members:
-            component, around = member.component, member.around
-            other = first.setdefault(component.name, member)
-            if other.component.modifier != component.modifier and around is not other.around:
-                name = joined(path, component.name)
-                what = f"{name} is declared in {other.around.name} and in {around.name}, differently"
-                self.mistakes.append((what, component.name))
-
-    def _check_repeated_classes(self, owner: Class) -> None:
-        first: dict[str, Class] = {}
-        with suppress(UnknownError):
-            for around in self.library.lineage(owner):
-                for name, one in around.classes.items():
-                    other = first.setdefault(name, one)
-                    if other.tokens != one.tokens and "redeclare" not in other.prefixes:
-                        what = f"{owner.name} has two classes {name} that differ: one of {around.name}, which"
-                        self.mistakes.append((f"{what} it inherits", name))
 
 
 _ATTRIBUTES: Final = frozenset(

@@ -30,23 +30,21 @@ def mistaken_packages(
 ) -> Iterator[tuple[str, Span]]:
     """Yield functions, constants and variables that are not what their names mean, and where these stand."""
     bindings = [one.get("binding") for one in model.flat["variables"].values()]
-    numbers = {source: number for number, source in enumerate(model.sources)}
     # Connections have the places of declarations.
     equations = [one for one in model.flat["equations"] if "ComponentEquation" in one["origin"]]
     for tree in (equations, *(model.flat[name] for name in _TREES), bindings, model.flat["functions"]):
         for call in expressions(tree, "FunctionCall"):
-            yield from _call(model, library, numbers, call)
+            yield from _call(model, library, call)
         for literal in expressions(tree, "Literal"):
-            yield from _literal(model, library, numbers, literal, instances)
+            yield from _literal(model, library, literal, instances)
         for reference in expressions(tree, "VarRef"):
             is_local = tree is model.flat["functions"]
-            yield from _captured(model, library, numbers, reference, None if is_local else instances)
+            yield from _captured(model, library, reference, None if is_local else instances)
 
 
 def _captured(
     model: LoweredModel,
     library: Library,
-    numbers: dict[int, int],
     reference: dict[str, Any],
     instances: Instances | None,
 ) -> Iterator[tuple[str, Span]]:
@@ -55,7 +53,7 @@ def _captured(
     Modelica looks it up in the classes around its own, rumoca in the model or function that uses the class.
     """
     span, found = reference["span"], reference["name"]["name"]
-    text = model.text(span) if span["source"] in numbers else ""
+    text = model.text(span) if span["source"] in model.sources else ""
     first = NAME.match(text)
     is_call = first is not None and text[first.end() :].lstrip().startswith("(")  # as inStream()
     if first is None or is_call or found in model.flat["enum_literal_ordinals"]:
@@ -63,7 +61,7 @@ def _captured(
     name, head = first[0].partition(".")[0], re.split(r"[.\[]", found)[0]
     is_component = "." not in found if instances is None else head in instances.members("")
     with suppress(UnknownError):
-        around = _around(model, library, numbers, span)
+        around = _around(model, library, span)
         while around.is_short and around.around is not None:
             around = around.around
         is_captured = is_component and name not in library.components(around) and name != "time"
@@ -72,17 +70,15 @@ def _captured(
             yield f"{name}, which {around.name} does not declare, means the {found} of {whose}", span
 
 
-def _call(
-    model: LoweredModel, library: Library, numbers: dict[int, int], call: dict[str, Any]
-) -> Iterator[tuple[str, Span]]:
+def _call(model: LoweredModel, library: Library, call: dict[str, Any]) -> Iterator[tuple[str, Span]]:
     span, called = call["span"], call.get("name", {}).get("name")  # not of a call that is a statement
-    written = NAME.match(model.text(span)) if span["source"] in numbers else None
+    written = NAME.match(model.text(span)) if span["source"] in model.sources else None
     if written is not None and called is not None:
         with suppress(UnknownError):
-            meant = _plain(library, library.meaning(written[0], _around(model, library, numbers, span)))
+            meant = _plain(library, library.meaning(written[0], _around(model, library, span)))
             found = model.flat["functions"].get(called)
             if meant.kind == "function" and found is not None:
-                other = _plain(library, _around(model, library, numbers, found["span"]))
+                other = _plain(library, _around(model, library, found["span"]))
                 if other.kind == "function" and other is not meant:
                     yield f"{written[0]} means {other.qualified} instead of {meant.qualified}", span
 
@@ -99,7 +95,7 @@ def _plain(library: Library, found: Class) -> Class:
 
 def is_iterator(model: LoweredModel, around: Class, name: str) -> bool:
     """Return whether a name may be that of an iterator somewhere in a class."""
-    text = list(model.sources.values())[around.file][1][around.start : around.end]
+    text = model.sources[around.file][1][around.start : around.end]
     return re.search(rf"(?:\bfor|,)\s*{name}\s+in\b", text) is not None
 
 
@@ -113,23 +109,22 @@ def is_one_of(value: float, meant: Value) -> bool:
 def _literal(
     model: LoweredModel,
     library: Library,
-    numbers: dict[int, int],
     literal: dict[str, Any],
     instances: Instances,
 ) -> Iterator[tuple[str, Span]]:
     span, value = literal["span"], next(iter(literal["value"].values()))
-    if isinstance(value, str) or span["source"] not in numbers:
+    if isinstance(value, str) or span["source"] not in model.sources:
         return
     written = model.text(span)
     if NAME.fullmatch(written) and written not in ("true", "false"):
         with suppress(UnknownError):
-            around = _around(model, library, numbers, span)
+            around = _around(model, library, span)
             meant = instances.constant(written, nowhere(around))
             if not is_one_of(value, meant) and not is_iterator(model, around, written):
                 yield f"{written} is not {value:g}", span
 
 
-def _around(model: LoweredModel, library: Library, numbers: dict[int, int], span: Span) -> Class:
-    if span["source"] not in numbers:
+def _around(model: LoweredModel, library: Library, span: Span) -> Class:
+    if span["source"] not in model.sources:
         raise UnknownError
-    return library.class_at(numbers[span["source"]], model.offset(span))
+    return library.class_at(span["source"], model.offset(span))

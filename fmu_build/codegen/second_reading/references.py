@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.givens import Scope, joined
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.syntax import Tokens
 
@@ -34,23 +34,19 @@ def elements(
     shape: list[int] = []
     first = ""
     for name, subscripts in _parts(reference):
-        path = f"{paths[0]}.{name}" if paths[0] else name
-        if any(_joined(one, name) in instances.absent for one in paths):
+        path = joined(paths[0], name)
+        if any(joined(one, name) in instances.absent for one in paths):
             return None
         if path not in instances.sizes:
             raise UnknownError
         chosen = [*_chosen(instances, scope, subscripts, instances.sizes[path], iterators)]
         shape += [len(one) for one, is_range in chosen if is_range]
         places = [_subscript(one) for one in itertools.product(*(one for one, _ in chosen))]
-        paths = [_joined(one, name) + place for one in paths for place in places]
+        paths = [joined(one, name) + place for one in paths for place in places]
         first = first or paths[0] if paths else first
         if not paths:
             break
     return Elements(tuple(paths), tuple(shape), first)
-
-
-def _joined(path: str, name: str) -> str:
-    return f"{path}.{name}" if path else name
 
 
 def _subscript(places: Sequence[int]) -> str:
@@ -103,10 +99,8 @@ def indices(instances: Instances, scope: Scope, tokens: Tokens, iterators: Mappi
     places = [place for place, token in enumerate(tokens) if token == ":"]
     ends = zip([0, *(place + 1 for place in places)], [*places, len(tokens)], strict=True)
     numbers = [_whole(instances.number(tokens[a:b], scope, iterators)) for a, b in ends]
-    if not places:
-        return list(range(1, numbers[0] + 1))  # the dimension of a loop, in no model so far
     step = numbers[1] if len(numbers) == 3 else 1
-    if not step or len(numbers) > 3:
+    if not step or len(numbers) not in (2, 3):
         raise UnknownError
     return list(range(numbers[0], numbers[-1] + (1 if step > 0 else -1), step))
 

@@ -24,10 +24,13 @@ class NotFoundError(UnknownError):
 class Library:
     """All classes of some source texts."""
 
-    def __init__(self, texts: Iterable[str]) -> None:
-        """Read the classes; raises `SyntaxError` if one cannot be read. Files are numbered as the texts."""
+    def __init__(self, texts: Mapping[int, str]) -> None:
+        """Read the classes in texts, given by the numbers of their files.
+
+        Raises `SyntaxError` if a class cannot be read.
+        """
         self._root = Class("", "package", None)
-        found = [one for number, text in enumerate(texts) for one in read_classes(text, number)]
+        found = [one for number, text in texts.items() for one in read_classes(text, number)]
         for within, one in sorted(found, key=lambda pair: pair[0].count(".") + bool(pair[0])):
             around = self._root
             for part in filter(None, within.split(".")):
@@ -55,7 +58,7 @@ class Library:
 
     def class_at(self, file: int, offset: int) -> Class:
         """Return the innermost class around an offset into a file; raises `UnknownError` if there is none."""
-        starts, classes = self._places[file]
+        starts, classes = self._places.get(file, ([], []))
         place = bisect.bisect_right(starts, offset) - 1
         found = classes[place] if place >= 0 else None
         while found is not None and not found.start <= offset < found.end:

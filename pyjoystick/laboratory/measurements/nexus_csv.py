@@ -27,7 +27,7 @@ import pandas as pd
 
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.motion import DELIMITERS, RecordError
-from pyjoystick.support import FloatArray, number_of_text
+from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _SECTION: Final = "trajectories"
 _AXES: Final = ["X", "Y", "Z"]
@@ -122,19 +122,11 @@ def _rows_of_section(lines: list[str], start: int) -> Iterator[int]:
             if i - start < _HEAD:
                 return
             is_open = False
-        elif is_open or _is_number(re.split(f'["{DELIMITERS}]', line)[0].strip()):
+        elif is_open or is_number_text(re.split(f'["{DELIMITERS}]', line)[0].strip()):
             is_open = True
             yield i
         else:
             return
-
-
-def _is_number(text: str) -> bool:
-    try:
-        number_of_text(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:

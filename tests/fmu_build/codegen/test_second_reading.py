@@ -18,7 +18,7 @@ from tests.fuzz.models.writer import Writer
 
 
 def _instances(text: str, model: str = "M") -> Instances:
-    library = Library([text])
+    library = Library({0: text})
     return Instances(library, library.class_of(model))
 
 

@@ -155,7 +155,7 @@ class _Reading:
     def __init__(self, file: Path) -> None:
         self.model = lower(rumoca.Session().load(str(file), model="Q.M"))
         self.flat = self.model.flat
-        self._library = Library(text for _, text in self.model.sources.values())
+        self._library = Library({number: text for number, (_, text) in self.model.sources.items()})
         self._instances = Instances(self._library, self._library.class_of(self.model.name))
         self._connections = Connections(self._instances)
         names = ("equations", "initial_equations", "functions", *_CLAUSES)
