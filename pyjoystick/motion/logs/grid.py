@@ -29,7 +29,9 @@ _CLOCK: Final = re.compile(
     r"(?:(?P<date>\d{4}-\d\d-\d\d)[T ])?(?P<h>\d{1,2}):(?P<m>\d\d):(?P<s>\d\d(?:[.,]\d+)?)"
     r"(?P<zone>Z|[+-]\d\d:?\d\d)?"
     r"|(?P<m2>\d{1,3}):(?P<s2>\d\d[.,]\d+)"
+    r"|PT(?P<duration>-?\d+\.\d+)S"
 )
+_SECOND: Final = datetime.timedelta(seconds=1)
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
 #: What a wrong delimiter leaves between two cells.
 _JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
@@ -65,7 +67,7 @@ class Candidate:
     doubtful: bool
 
     def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
-        """The table, with decimal points in its numbers and times of day in s.
+        """The table, with decimal points in its numbers, and times of day and durations in s.
 
         Raises:
             RecordError: a row is longer or shorter than the headings
@@ -123,7 +125,12 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
     ragged = [row for row in rows[first:] if len(row[1]) != width]
     columns = [i for i in used if numeric[i]]
-    marked = [cells[i] for _, cells in data for i in columns if decimal in cells[i] and ":" not in cells[i]]
+    marked = [
+        cells[i]
+        for _, cells in data
+        for i in columns
+        if decimal in cells[i] and not _CLOCK.fullmatch(cells[i])
+    ]
     return Candidate(
         delimiter,
         decimal,
@@ -228,7 +235,7 @@ def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
 
 
 def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]:
-    """Numbers with decimal points, and whether they are times of day, which are converted to s."""
+    """Numbers with decimal points, and whether they are times of day or durations, converted to s."""
     matches = [_CLOCK.fullmatch(cell) for cell in cells]
     if not any(matches):
         return ["" if cell.casefold() in _ERRORS else cell.replace(decimal, ".") for cell in cells], False
@@ -239,7 +246,9 @@ def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]
 
 
 def _seconds(match: re.Match[str], first: re.Match[str]) -> str:
-    """Seconds since the midnight before the first sample, in its time zone."""
+    """A duration (s), or the time since the midnight before the first sample, in its time zone (s)."""
+    if match["duration"]:
+        return match["duration"]
     second = (match["s"] or match["s2"]).replace(",", ".")
     whole = 60 * int(match["m"] or match["m2"]) + 3600 * int(match["h"] or 0)
     whole -= _ahead(match["zone"]) - _ahead(first["zone"])
@@ -257,11 +266,11 @@ def _ahead(zone: str | None) -> int:
 
 
 def text_of(value: object) -> str:
-    """Text of a typed value: times of day and dates in ISO 8601, durations in s."""
+    """Text of a typed value: times of day, dates and durations in ISO 8601."""
     if value is None:
         return ""
     if isinstance(value, datetime.timedelta):
-        return repr(value.total_seconds())
+        return f"PT{value / _SECOND:.9f}S"
     if isinstance(value, bool):
         return str(value)
     if isinstance(value, datetime.date | datetime.time):

@@ -89,6 +89,35 @@ def test_times_of_day_in_a_workbook(tmp_path: Path) -> None:
     _check(_workbook(tmp_path / "log.xlsx", ("a", table)))
 
 
+#: Headings over cells that have a unit of their own.
+OVER_DURATIONS = ["Time", "time (s)", "time (ms)", "time_ms", "time (min)"]
+
+
+@pytest.mark.parametrize("heading", OVER_DURATIONS)
+@pytest.mark.parametrize("suffix", ["xlsx", "parquet"])
+def test_durations_are_in_seconds_whatever_the_heading_says(
+    suffix: str, heading: str, tmp_path: Path
+) -> None:
+    path = tmp_path / f"log.{suffix}"
+    durations = pd.to_timedelta(3599.9 + TIME, unit="s").round("us")
+    table = pd.DataFrame({heading: durations, "angle (deg)": ANGLE})
+    if suffix == "xlsx":
+        _workbook(path, ("a", table.astype({heading: object})))
+        _format_as_durations(path)
+    else:
+        pytest.importorskip("pyarrow")
+        table.to_parquet(path)
+    _check(path)
+    assert read_log(path).series["time"][0] == pytest.approx(3599.9, abs=1e-9)
+
+
+def _format_as_durations(path: Path) -> None:
+    book = pytest.importorskip("openpyxl").load_workbook(path)
+    for (cell,) in book.active.iter_rows(min_row=2, max_col=1):
+        cell.number_format = "[h]:mm:ss.000"
+    book.save(path)
+
+
 def test_empty_cells_of_a_workbook_are_left_out(tmp_path: Path) -> None:
     table = GERMAN.copy()
     table.loc[5:7, "Winkel [Grad]"] = np.nan
