@@ -12,7 +12,14 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import REALS, Value, checked_value, limits, require_scalar
-from pyjoystick.support import FloatArray, ParameterError, SeriesError, UnknownInputError, type_text
+from pyjoystick.support import (
+    FloatArray,
+    ParameterError,
+    SeriesError,
+    UnknownInputError,
+    real_numbers,
+    type_text,
+)
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -89,7 +96,7 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
         for value in _doubtful(variable, column):
             checked_value(variable, value)
     try:
-        time = np.asarray(index, dtype=np.float64)
+        time = real_numbers(index)
     except (TypeError, ValueError) as error:
         raise SeriesError(_INDEX, "must be time in s") from error
     for i in np.flatnonzero(~np.isfinite(time) | (np.diff(time, prepend=-np.inf) < 0.0))[:1]:

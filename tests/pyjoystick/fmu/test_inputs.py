@@ -137,6 +137,7 @@ def test_outputs_that_depend_on_inputs_at_once_belong_to_the_same_instant(invers
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, 0.4]), SeriesError, "is 0.4 at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=[0.5, math.nan]), SeriesError, "is nan at row 1"),
         (pd.DataFrame({"T": [1.0, 2.0]}, index=["a", "b"]), SeriesError, "must be time in s"),
+        (pd.DataFrame({"T": [1.0, 2.0]}, index=[0j, 1.0 + 1.0j]), SeriesError, "must be time in s"),
         (pd.DataFrame({"T": [1.0, 2.0]}), SeriesError, "counts the rows; must be time in s"),
         (filtered(), SeriesError, 'counts the rows; .*; name the index "time" if these are seconds$'),
         (filtered().set_axis(pd.Index([0, 5], dtype=object)), SeriesError, "counts the rows"),
