@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import Final
 
@@ -54,8 +55,8 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
         number = math.nan
         try:
             number = _with_unit(name, value)
-            if math.isfinite(number) and abs(number) >= 2.0**53 and value.lstrip("+-").isdecimal():
-                number = int(value)  # floats are not exact beyond 2^53
+            if 2.0**53 <= abs(number) <= 2.0**64:
+                number = _exact(number, value)
         except ParameterError:
             raise
         except ValueError:
@@ -81,6 +82,15 @@ def _with_unit(name: str, text: str) -> float:
         named = ", ".join(filter(None, units or ()))
         allowed = f"a number, or one with a unit: {named}" if named else "a number without a unit"
         raise ParameterError(name, text, allowed) from None
+
+
+def _exact(number: float, text: str) -> float:
+    """A whole number with every digit of its text, which a float has not beyond 2^53; else `number`."""
+    with suppress(InvalidOperation):  # a text with a unit
+        exact = Decimal(text)
+        if exact == exact.to_integral_value():
+            return int(exact)
+    return number
 
 
 def parse_names(texts: Sequence[str] | None, option: str) -> dict[str, str]:

@@ -202,7 +202,7 @@ def _in_type(variable: Variable, value: float) -> Value:
     number = finite(variable.name, value, variable.unit)
     if variable.type == "Boolean" and number in (0.0, 1.0):
         return bool(number)
-    if variable.type in INTEGERS and number.is_integer():
+    if variable.type in INTEGERS and number.is_integer() and abs(number) < 2.0**53:  # beyond, it is rounded
         return int(number)
     return number
 

@@ -49,7 +49,10 @@ def test_what_is_set_arrives(command: Command, echo3_path: Path) -> None:
     sound = command("compare", *both, "--set", f"p_UInt64={LARGEST}", "--set", f"u_UInt64={LARGEST}")
     assert (sound.code, sound.err) == (0, "")
     assert "both_UInt64[2]" in sound.out
+    with_a_point = command("compare", *both, "--set", f"p_UInt64={LARGEST}.0")
+    assert (with_a_point.code, with_a_point.err) == (0, "")
     for text, told in (
+        ("p_UInt64=9007199254740992.5", "p_UInt64 = 9007199254740992.0: must be an integer"),
         (f"p_UInt64={LARGEST + 1}", "p_UInt64 = 18446744073709551616: must be an integer"),
         (f"u_Int64={2**63}", "u_Int64 = 9223372036854775808: must be an integer"),
         ("p_Float32=1e39", "p_Float32 = 1e+39: must be a finite number"),

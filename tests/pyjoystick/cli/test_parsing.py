@@ -68,6 +68,21 @@ def test_assignments_that_are_refused(text: str) -> None:
         parse_assignments([text], "--set")
 
 
+@pytest.mark.parametrize(
+    "text", ["9007199254740993", "9007199254740993.0", "9.007199254740993e15", "-9007199254740993."]
+)
+def test_whole_numbers_keep_every_digit_however_they_are_written(text: str) -> None:
+    (number,) = parse_assignments([f"big={text}"], "--set").values()
+    assert isinstance(number, int)
+    assert abs(number) == 2**53 + 1
+
+
+@pytest.mark.parametrize("text", ["9007199254740991", "1.5", "1e300", "9007199254740993.5"])
+def test_other_numbers_are_floats(text: str) -> None:
+    (number,) = parse_assignments([f"big={text}"], "--set").values()
+    assert isinstance(number, float)
+
+
 def test_a_name_given_twice_is_refused() -> None:
     with pytest.raises(BadParameter, match="J is given twice"):
         parse_assignments(["J=1", "J=2"], "--set")
