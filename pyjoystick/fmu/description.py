@@ -88,6 +88,13 @@ class Variable:
         return self.minimum is not None and 0.0 < self.minimum <= _SMALL
 
     @property
+    def reference(self) -> tuple[str, int]:
+        """Type and value reference: equal for all names of one variable."""
+        # In FMI 2, enumerations are integers; in FMI 3, a value reference belongs to one type.
+        is_integer = self.type == "Enumeration" and not self.is_fmi3
+        return "Integer" if is_integer else self.type, self.value_reference
+
+    @property
     def quantity(self) -> Quantity:
         """Name, unit and description for tables."""
         return Quantity(self.name, self.unit, self.display_unit, self.description)

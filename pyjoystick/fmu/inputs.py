@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
-from pyjoystick.fmu.values import REALS, Value, checked_value, limits, require_scalar
+from pyjoystick.fmu.values import REALS, Value, checked_value, limits, require_one_name, require_scalar
 from pyjoystick.support import (
     FloatArray,
     ParameterError,
@@ -77,8 +77,8 @@ def checked_inputs(description: FmuDescription, inputs: Inputs) -> InputTable:
     Raises:
         UnknownInputError: the FMU has no input of that name
         ParameterError: the inputs are neither a mapping nor a table; the table is empty, or has an input
-            twice or in another unit, or its time is not in s; a value is of the wrong type, NaN or out of
-            range
+            twice or in another unit, or its time is not in s; two names are those of one input; a value is of
+            the wrong type, NaN or out of range
         SeriesError: the index of the table is not a time in s, not finite or decreases
     """
     if isinstance(inputs, Mapping):
@@ -117,11 +117,14 @@ def checked_constants(description: FmuDescription, inputs: Mapping[str, Value]) 
     return {name: checked_value(description.variables[name], value) for name, value in inputs.items()}
 
 
-def _require_known(description: FmuDescription, names: Iterable[object]) -> None:
+def _require_known(description: FmuDescription, given: Iterable[object]) -> None:
+    """Reject names of no input, and a second name of one."""
+    names = tuple(map(str, given))
     for name in names:
-        variable = description.variables.get(str(name))
+        variable = description.variables.get(name)
         if variable is None or variable.causality != "input":
-            raise UnknownInputError(str(name), description.names("input"))
+            raise UnknownInputError(name, description.names("input"))
+    require_one_name(description, "inputs", names)
 
 
 def _require_table(inputs: object) -> None:

@@ -24,6 +24,7 @@ from pyjoystick.fmu.values import (
     checked_value,
     default_outputs,
     limits,
+    require_one_name,
     require_scalar,
 )
 from pyjoystick.support import ParameterError, UnknownInputError, finite, positive
@@ -288,6 +289,7 @@ class Stepper:
             allowed = "given to Fmu.start" if variable.settable_at_start else "left out"
             raise ParameterError(name, value, allowed, hint)
         require_scalar(variable)
+        require_one_name(description, "inputs", (*self._settable, name))
         low, high = limits(variable) if variable.type in REALS else (math.inf, -math.inf)
         self._settable[name] = variable, low, high
         return self._settable[name]

@@ -36,13 +36,15 @@ def checked_parameters(description: FmuDescription, parameters: Mapping[str, Val
     Raises:
         UnknownParameterError: the FMU has no variable of that name
         ParameterError: the parameters are not a mapping; a variable cannot be set, or its value is of the
-            wrong type, NaN or out of range
+            wrong type, NaN or out of range; or two are names of one variable
     """
     if not callable(getattr(parameters, "items", None)):  # also accepts a row of a pandas table
         raise ParameterError("parameters", type_text(parameters), "a mapping from names to values")
-    return {
+    values = {
         name: checked_value(_settable(description, name, value), value) for name, value in parameters.items()
     }
+    require_one_name(description, "parameters", values)
+    return values
 
 
 def checked_varied(
@@ -52,7 +54,7 @@ def checked_varied(
 
     Raises:
         UnknownParameterError: the FMU has no variable of that name
-        ParameterError: the variable cannot be set, is text, or is given twice
+        ParameterError: the variable cannot be set, is text, or is given twice, also by another of its names
     """
     names = (varied,) if isinstance(varied, str) else tuple(varied)
     variables = []
@@ -63,7 +65,17 @@ def checked_varied(
         if name in names[:i] or name in parameters:
             raise ParameterError("varied", name, "given once, either varied or as a parameter of all runs")
         variables.append(variable)
+    require_one_name(description, "varied", (*parameters.keys(), *names))
     return variables
+
+
+def require_one_name(description: FmuDescription, field: str, names: Iterable[str]) -> None:
+    """Raise ParameterError if two of these variables of the FMU are one: an alias and what it stands for."""
+    found: dict[tuple[str, int], str] = {}
+    for name in names:
+        other = found.setdefault(description.variables[name].reference, name)
+        if other != name:
+            raise ParameterError(field, f"{other} and {name}", "given by one name", "they name one variable")
 
 
 def _settable(description: FmuDescription, name: str, value: object) -> Variable:

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from pyjoystick.fmu import Fmu, FmuRunError, Variable, checked_value, read_description
@@ -45,6 +48,43 @@ def variable(type_: str, minimum: float | None = None, maximum: float | None = N
 def test_values_that_are_refused(joystick: Fmu, name: str, value: object, message: str) -> None:
     with pytest.raises(ParameterError, match=f"^{message}$"):
         joystick.run(TIME, parameters={name: value})  # type: ignore[dict-item]
+
+
+def second_names(text: str) -> str:
+    """A model description with another name, k, of the parameter p_... and one, w, of the input u_..."""
+    for name, alias in (("p", "k"), ("u", "w")):
+        text = re.sub(rf'(<Int32 name="{name}_Int32"[^>]*)/>', rf'\1><Alias name="{alias}"/></Int32>', text)
+        fmi2 = rf'(<ScalarVariable name="){name}_Integer(".*?</ScalarVariable>)'
+        text = re.sub(fmi2, rf"\g<0>\1{alias}\2", text)
+    return text
+
+
+@pytest.fixture(params=[2, 3], ids=["FMI 2", "FMI 3"])
+def with_aliases(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Fmu]:
+    echo = request.getfixturevalue(f"echo{request.param}_path")
+    with Fmu(doctored(echo, tmp_path / "aliases.fmu", description=second_names)) as fmu:
+        yield fmu
+
+
+def test_two_names_of_one_variable_are_refused(with_aliases: Fmu) -> None:
+    kind = "Integer" if with_aliases.description.fmi_version == "2.0" else "Int32"
+    p, u = f"p_{kind}", f"u_{kind}"
+    both = f"= {p} and k: must be given by one name .they name one variable"
+    for value in (5, 6):
+        with pytest.raises(ParameterError, match=f"parameters {both}"):
+            with_aliases.run(TIME, parameters={p: 5, "k": value})
+    with pytest.raises(ParameterError, match=f"varied {both}"):
+        with_aliases.plan(TIME, varied=(p, "k"))
+    with pytest.raises(ParameterError, match=f"varied {both}"):
+        with_aliases.plan(TIME, varied="k", parameters={p: 5})
+    inputs = {u: 1, "w": 1}
+    for series in (inputs, pd.DataFrame(inputs, index=[0.0])):
+        with pytest.raises(ParameterError, match=f"inputs = {u} and w: must be given by one name"):
+            with_aliases.run(TIME, inputs=series)
+    with with_aliases.start(inputs={u: 1}) as live:
+        live.step(0.1, {"w": 2})
+        with pytest.raises(ParameterError, match=f"inputs = w and {u}: must be given by one name"):
+            live.step(0.1, {u: 1})
 
 
 def test_the_joystick_takes_the_least_values_that_it_declares(joystick: Fmu) -> None:
