@@ -129,8 +129,8 @@ def add_units(root: Element, name: str, descriptions: Iterable[FmuDescription]) 
         )
 
 
-def bound_values(path: Path, element: Element, read: Callable[[str], bytes]) -> Iterator[tuple[str, Value]]:
-    """Values bound to a component.
+def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes]) -> Iterator[Element]:
+    """Parameters with a value that are bound to a component.
 
     Args:
         path: the archive
@@ -154,11 +154,11 @@ def bound_values(path: Path, element: Element, read: Callable[[str], bytes]) -> 
         if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
-        for parameter in content.iterfind(".//ssv:Parameter", NAMESPACES):
-            yield parameter.get("name", ""), _value(path, parameter)
+        yield from content.iterfind(".//ssv:Parameter", NAMESPACES)
 
 
-def _value(path: Path, parameter: Element) -> Value:
+def value_of(path: Path, parameter: Element) -> Value:
+    """Value of a parameter in the archive `path`; raises InputFileError if it is not supported."""
     typed = next(iter(parameter), Element("}no type"))
     kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
     try:

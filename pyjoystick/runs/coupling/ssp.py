@@ -10,7 +10,7 @@ from typing import Final
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from pyjoystick.fmu import FmuDescription, find_fmu
+from pyjoystick.fmu import FmuDescription, find_fmu, read_description
 from pyjoystick.runs.coupling.parameter_sets import (
     NAMESPACES,
     ParameterNote,
@@ -18,10 +18,11 @@ from pyjoystick.runs.coupling.parameter_sets import (
     add_type,
     add_units,
     bind,
-    bound_values,
+    bound_parameters,
     parameter_set,
     parameter_set_xml,
     tag,
+    value_of,
     xml_file,
 )
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
@@ -32,6 +33,7 @@ from pyjoystick.support import (
     DEFAULT_TOLERANCE,
     InputFileError,
     archive_problem,
+    is_number_text,
     positive,
     replacing,
     version_of,
@@ -44,6 +46,8 @@ _LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units
 #: Limit of an archive's unpacked size (bytes).
 _LARGEST: Final = 1_000_000_000
 _STRUCTURE: Final = "SystemStructure.ssd"
+#: The components, from the root of the structure on.
+_ELEMENTS: Final = "ssd:System/ssd:Elements/*"
 #: The earliest date in a ZIP archive, fixed so that equal systems give equal bytes.
 _NO_DATE: Final = (1980, 1, 1, 0, 0, 0)
 
@@ -107,7 +111,9 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
 
     Raises:
         InputFileError: the file is not an SSP archive, or has unsupported contents (nested systems, other
-            components than FMUs, mappings, unit conversions), which the message names
+            components than FMUs, mappings, unit conversions, a start at another time than 0), which the
+            message names
+        FmuFileError, UnsupportedFmuError: an FMU of the archive cannot be read
     """
     path, folder = Path(path), Path(folder)
     try:
@@ -119,6 +125,9 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
             system = system_of(path, root, folder, archive.read)
             for component in system.components:
                 archive.extract(Path(component.fmu).relative_to(folder).as_posix(), folder)
+            elements = root.iterfind(_ELEMENTS, NAMESPACES)
+            for element, component in zip(elements, system.components, strict=True):
+                _require_units(path, element, Path(component.fmu), archive.read)
     except KeyError as error:
         raise InputFileError(path, f"not a whole SSP archive: {error.args[0]}") from error
     except (ElementTree.ParseError, LookupError) as error:  # LookupError: an unknown encoding
@@ -126,6 +135,19 @@ def read_ssp(path: str | PathLike[str], folder: str | PathLike[str]) -> CoupledS
     except ARCHIVE_ERRORS as error:
         raise InputFileError(path, f"not an SSP archive: {archive_problem(error)}") from error
     return system
+
+
+def _require_units(path: Path, element: Element, fmu: Path, read: Callable[[str], bytes]) -> None:
+    """Reject parameters and connectors of a component in another unit than that of the FMU's variable."""
+    variables = read_description(fmu).variables
+    connectors = element.iterfind("ssd:Connectors/ssd:Connector", NAMESPACES)
+    for one in (*bound_parameters(path, element, read), *connectors):
+        name = one.get("name", "")
+        wanted = variables[name].unit if name in variables else ""
+        for typed in one.iterfind("*[@unit]"):
+            if wanted and typed.get("unit") != wanted:
+                reason = f"{name} is in {typed.get('unit')!r}; must be in {wanted!r}, as in {fmu.name}"
+                raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
 
 
 def structure_xml(system: CoupledSystem, version: SspVersion, in_files: Collection[str] = ()) -> bytes:
@@ -236,7 +258,7 @@ def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], byt
         name=top.get("name", root.get("name", path.stem)),
         description=top.get("description", ""),
         components=tuple(
-            _component(path, element, folder, read) for element in top.iterfind("ssd:Elements/*", NAMESPACES)
+            _component(path, element, folder, read) for element in root.iterfind(_ELEMENTS, NAMESPACES)
         ),
         connections=tuple(_connections(path, top)),
         stop_time=_stop_time(path, experiment),
@@ -244,12 +266,15 @@ def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], byt
 
 
 def _stop_time(path: Path, experiment: Element | None) -> float:
-    text = "1.0" if experiment is None else experiment.get("stopTime", "1.0")
+    given = {} if experiment is None else experiment.attrib
+    start, stop = given.get("startTime", "0.0"), given.get("stopTime", "1.0")
+    if not is_number_text(start) or float(start) != 0.0:
+        raise InputFileError(path, f"DefaultExperiment: startTime = {start!r}: must be 0 s")
     try:
-        return positive("stopTime", float(text), "s")
+        return positive("stopTime", float(stop), "s")
     except ValueError as error:
         allowed = "must be a finite number above 0 s"
-        raise InputFileError(path, f"DefaultExperiment: stopTime = {text!r}: {allowed}") from error
+        raise InputFileError(path, f"DefaultExperiment: stopTime = {stop!r}: {allowed}") from error
 
 
 def _component(path: Path, element: Element, folder: Path, read: Callable[[str], bytes]) -> Component:
@@ -262,7 +287,8 @@ def _component(path: Path, element: Element, folder: Path, read: Callable[[str],
         raise InputFileError(
             path, f"component {name!r}: its source {str(source)!r} is not an FMU in the archive"
         )
-    return Component(name, folder / source, dict(bound_values(path, element, read)))
+    parameters = {one.get("name", ""): value_of(path, one) for one in bound_parameters(path, element, read)}
+    return Component(name, folder / source, parameters)
 
 
 def _connections(path: Path, top: Element) -> Iterator[Connection]:

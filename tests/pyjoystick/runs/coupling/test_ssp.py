@@ -22,6 +22,7 @@ from pyjoystick.runs import (
     run_coupled,
     write_ssp,
 )
+from pyjoystick.runs.coupling.parameter_sets import ParameterNote
 from pyjoystick.runs.coupling.ssp import SspVersion, structure_xml
 from pyjoystick.support import InputFileError, OutputFileError, ParameterError
 from tests.pyjoystick.runs.coupling.conftest import Ecos
@@ -208,6 +209,18 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not supported"),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
+        ('startTime="0.0"', 'startTime="0.5"', r"DefaultExperiment: startTime = '0\.5': must be 0 s"),
+        ('startTime="0.0"', 'startTime="now"', r"DefaultExperiment: startTime = 'now': must be 0 s"),
+        (
+            'unit="kg.m2" value="0.012"',
+            'unit="g.m2" value="12"',
+            r"component 'joystick': J is in 'g\.m2'; must be in 'kg\.m2', as in Joystick\.fmu",
+        ),
+        (
+            '<ssd:Connector name="theta" kind="output">\n            <ssc:Real unit="rad"',
+            '<ssd:Connector name="theta" kind="output">\n            <ssc:Real unit="deg"',
+            r"component 'joystick': theta is in 'deg'; must be in 'rad', as in Joystick\.fmu",
+        ),
         (
             'stopTime="1.2"',
             'stopTime="soon"',
@@ -224,16 +237,36 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
 def test_what_is_not_understood_is_named(
     archive: Path, tmp_path: Path, old: str, new: str, message: str
 ) -> None:
-    changed = tmp_path / "changed.ssp"
+    changed = with_change(archive, "SystemStructure.ssd", old, new)
+    with pytest.raises(InputFileError, match=message):
+        read_ssp(changed, tmp_path / "unpacked")
+
+
+def with_change(archive: Path, file: str, old: str, new: str) -> Path:
+    """A copy of an archive with another text in one of its files."""
+    changed = archive.with_name("changed.ssp")
     with zipfile.ZipFile(archive) as source, zipfile.ZipFile(changed, "w") as target:
         for name in source.namelist():
             content = source.read(name)
-            if name.endswith(".ssd"):
+            if name == file:
                 assert old.encode() in content
                 content = content.replace(old.encode(), new.encode())
             target.writestr(name, content)
-    with pytest.raises(InputFileError, match=message):
+    return changed
+
+
+def test_another_unit_in_a_file_of_values_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "joystick.ssp"
+    notes = {"joystick": {"J": ParameterNote(None, "swing")}}
+    write_ssp(operator_and_joystick(**PARAMETERS), path, notes=notes)
+    changed = with_change(path, "resources/joystick.ssv", 'unit="kg.m2" value', 'unit="g.m2" value')
+    with pytest.raises(InputFileError, match=r"J is in 'g\.m2'; must be in 'kg\.m2'"):
         read_ssp(changed, tmp_path / "unpacked")
+    without = with_change(path, "resources/joystick.ssv", ' unit="kg.m2" value', " value")
+    assert (
+        read_ssp(without, tmp_path / "unpacked").components
+        == read_ssp(path, tmp_path / "unpacked").components
+    )
 
 
 def test_a_bomb_is_refused_before_it_is_unpacked(archive: Path, monkeypatch: pytest.MonkeyPatch) -> None:
