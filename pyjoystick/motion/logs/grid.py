@@ -167,13 +167,14 @@ def _with_missing_before(
 ) -> int:
     """Start of the samples including the first ones, if these are missing: NaN or NA in every cell.
 
-    Dashes in every cell are units.
+    Before these, dashes in every cell are units, and rows of empty cells are skipped.
     """
+    first = start
     while start and (kinds[start - 1] == _EMPTY_CELL).all():
-        if all(not cell.strip("-") for cell in rows[fitting[start - 1]][1]):
-            break
         start -= 1
-    return start
+        if any(cell.strip("-") for cell in rows[fitting[start]][1]):
+            first = start
+    return first
 
 
 def _fitted(cells: list[str], width: int) -> list[str]:

@@ -140,6 +140,13 @@ def test_an_empty_row_below_the_headings_of_a_workbook(tmp_path: Path) -> None:
     _check(_workbook(tmp_path / "log.xlsx", ("a", table)), torque=True)
 
 
+def test_an_empty_row_between_samples_that_are_missing_at_first(tmp_path: Path) -> None:
+    missing = pd.DataFrame({name: ["NaN", None] for name in GERMAN}, dtype=object)
+    path = _workbook(tmp_path / "log.xlsx", ("a", pd.concat([missing, GERMAN])))
+    _check(path, torque=True)
+    assert read_log(path).left_out.tolist() == [2, 3]
+
+
 UNITS = {"time": "s", "theta": "deg"}
 
 
