@@ -27,7 +27,8 @@ _TRUTH: Final = {"true": True, "false": False}
 def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     """Read inputs over time as a table for `Fmu.run`.
 
-    The first column is the time, in s if its heading has no unit; the others are as in `read_variables`.
+    The first column is the time, in s if its heading has no unit; the others are as in `read_variables`. A
+    column without a heading and cells, as of a comma at the end of every line, is left out.
 
     Raises:
         RecordError: the file is not a table, a unit is unknown, a cell is not a finite number, or two
@@ -36,6 +37,7 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     """
     file = read_table_file(Path(path))
     first, *others = file.head.headings
+    others = [one for one in others if one.text or any(file.texts(one))]
     known = fmu.names("input")
     # The name of an array element, u[1], looks like a name with a unit.
     texts = {heading.text if heading.text in known else heading.name: heading.text for heading in others}

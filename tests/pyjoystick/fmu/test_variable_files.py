@@ -38,6 +38,13 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
     assert read_inputs(_file(tmp_path, "x,T\n1,2\n"), joystick)["T"].to_dict() == {1.0: 2.0}
 
 
+def test_a_comma_at_the_end_of_every_line_is_no_input(tmp_path: Path, joystick: FmuDescription) -> None:
+    table = read_inputs(_file(tmp_path, "time (s),T,\n0,1,\n,,\n1,2,\n"), joystick)
+    assert table["T"].to_dict() == {0.0: 1.0, 1.0: 2.0}
+    with pytest.raises(UnknownInputError, match="no input ''"):
+        read_inputs(_file(tmp_path, "time (s),T,\n0,1,\n1,2,3\n"), joystick)
+
+
 def test_types_of_inputs(tmp_path: Path, mixed_path: Path) -> None:
     mixed = read_description(mixed_path)
     names = {mixed.variables[name].type: name for name in mixed.names("input")}
