@@ -17,6 +17,7 @@ from pyjoystick.support import OutputFileError, replacing, write_text
 
 _IDENTITY: Final = "sweep.json"
 _LOCK: Final = "lock"
+_ANEW: Final = "start over with --overwrite"
 _PARTS: Final = "from-*.npz"
 
 
@@ -84,9 +85,9 @@ class Parts:
         try:
             kept = json.loads(file.read_text(encoding="utf-8"))
         except (OSError, ValueError, RecursionError) as error:
-            raise SweepFileError(file, f"cannot be read: {error}") from error
+            raise SweepFileError(file, f"cannot be read: {error}; {_ANEW}") from error
         if not isinstance(kept, dict):
-            raise SweepFileError(file, "does not say whose runs these are")
+            raise SweepFileError(file, f"does not say whose runs these are; {_ANEW}")
         require_same(self.target, kept, identity)
         return True
 

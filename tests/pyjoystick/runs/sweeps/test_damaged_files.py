@@ -46,7 +46,10 @@ def test_what_does_not_say_whose_runs_these_are(text: str, tmp_path: Path) -> No
     with parts.opened(IDENTITY):
         parts.save(_part(0))
     (parts.folder / "sweep.json").write_text(text)
-    with pytest.raises(SweepFileError, match=r"sweep\.json: "), parts.opened(IDENTITY):
+    with (
+        pytest.raises(SweepFileError, match=r"sweep\.json: .*start over with --overwrite$"),
+        parts.opened(IDENTITY),
+    ):
         pytest.fail("must not be opened")
 
 
