@@ -24,6 +24,8 @@ _GROUPS: Final = (
     ("structuralParameter", "Structural parameters"),
     ("local", "Local variables"),
 )
+#: How the characters that would break a row of a table are shown.
+_IN_ONE_LINE: Final = str.maketrans({"\n": r"\n", "\r": r"\r", "\t": r"\t"})
 EXAMPLES = """
 Examples:
 
@@ -104,7 +106,8 @@ def _variables(variables: list[fmu.Variable]) -> Table:
     table.columns[3].max_width = 10
     for variable in variables:
         unit = variable.unit if variable.type == "Real" or variable.unit else variable.type
-        texts = (variable.name, unit, variable.start or "", _range(variable), variable.description)
+        start = (variable.start or "").translate(_IN_ONE_LINE)
+        texts = (variable.name, unit, start, _range(variable), variable.description)
         table.add_row(*map(escape, texts))
     return table
 

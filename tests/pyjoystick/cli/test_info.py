@@ -45,6 +45,18 @@ def test_local_variables_too(command: Command) -> None:
     assert "--all shows them" not in out
 
 
+def test_a_start_value_of_several_lines_stays_in_its_row(
+    command: Command, echo3_path: Path, tmp_path: Path
+) -> None:
+    several = '<Start value="a&#10;b&#9;c"/>'
+    doctored(
+        echo3_path,
+        tmp_path / "echo.fmu",
+        description=lambda text: text.replace('<Start value="a"/>', several),
+    )
+    assert _line(command("info", "echo.fmu").out, "text").split()[2] == r"a\nb\tc"
+
+
 def test_a_path_and_square_brackets(command: Command, fmus_by_name: Path, tmp_path: Path) -> None:
     path = tmp_path / "[bold]own[bold].fmu"
     path.write_bytes((fmus_by_name / "JoystickInverse.fmu").read_bytes())
