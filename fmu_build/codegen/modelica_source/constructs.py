@@ -85,10 +85,6 @@ class ModelText:
         """Return the text, without comments and strings, of the class with this qualified name, if any."""
         return [self._classes[name]] if name in self._classes else []
 
-    def kinds_of(self, simple_name: str) -> set[str]:
-        """Return the restrictions, such as "partial package", of the classes with this simple name."""
-        return {kind for name, kind in self._kinds.items() if name.rpartition(".")[2] == simple_name}
-
     def named(self) -> Iterator[tuple[str, str, str]]:
         """Yield qualified name, restriction and text, without comments and strings, of all classes."""
         return ((name, self._kinds[name], text) for name, text in self._classes.items())

@@ -75,10 +75,6 @@ class Inheritance:
         for one in self.ancestry(name):
             yield from self.own_components(one, component)
 
-    def has_class(self, name: str, inner: str) -> bool:
-        """Return whether the classes of this name or their bases declare a class named `inner`."""
-        return any(inner in self._classes[one] for one in self.ancestry(name))
-
     def owners(self, name: str, components: tuple[str, ...]) -> set[str]:
         """Return the classes to which a path of components leads from the classes of this name."""
         found = {name}

@@ -1,281 +1,242 @@
-"""The values of expressions of numbers, names and arrays; `UnknownError` for anything else."""
+"""The values of expressions; `UnknownError` for anything that is not known."""
 
 from __future__ import annotations
 
-import math
-import operator
-from collections.abc import Callable, Iterator, Sequence
-from typing import Final, Protocol, TypeAlias
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Final, Protocol, TypeAlias
 
+import numpy as np
+
+from fmu_build.codegen.second_reading.expressions import (
+    Array,
+    Call,
+    Choice,
+    Comprehension,
+    End,
+    Expression,
+    Matrix,
+    Number,
+    Operation,
+    Reference,
+    Span,
+    expression,
+    parts_of,
+)
+from fmu_build.codegen.second_reading.operations import (
+    MOST_ELEMENTS,
+    UnknownError,
+    Value,
+    as_value,
+    binary,
+    called,
+    choice,
+    matrix,
+    scalar,
+    smooth,
+    span_of,
+    unary,
+    whole,
+)
 from fmu_build.codegen.second_reading.syntax import Tokens
 
-Value: TypeAlias = "float | list[Value]"
-_Operation: TypeAlias = Callable[[float, float], float]
-_SUM: Final[dict[str, _Operation]] = {"+": operator.add, "-": operator.sub}
-_RELATIONS: Final[dict[str, _Operation]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "<>": operator.ne,
-}
-_PRODUCT: Final[dict[str, _Operation]] = {"*": operator.mul, "/": operator.truediv}
-_FUNCTIONS: Final[dict[str, Callable[..., float]]] = {
-    "abs": abs,
-    "ceil": math.ceil,
-    "cos": math.cos,
-    "div": lambda a, b: math.trunc(a / b),
-    "exp": math.exp,
-    "floor": math.floor,
-    "integer": math.floor,
-    "log": math.log,
-    "mod": lambda a, b: a - math.floor(a / b) * b,
-    "rem": math.fmod,
-    "sin": math.sin,
-    "sqrt": math.sqrt,
-    "tan": math.tan,
-}
-_FILLED: Final[dict[str, tuple[float, ...]]] = {"fill": (), "ones": (1.0,), "zeros": (0.0,)}
-_MOST_ELEMENTS: Final = 1000
-_OF_ARRAYS: Final[dict[str, Callable[[Sequence[float]], float]]] = {
-    "max": max,
-    "min": min,
-    "product": math.prod,
-    "sum": sum,
-}
+Chosen: TypeAlias = Sequence[tuple[str, Sequence["Value | None"]]]
+"""The names of a reference, each with the values of its subscripts, of which None is ``:``."""
 
-
-class UnknownError(Exception):
-    """The second reading does not know a value."""
+_SAME: Final = frozenset(("noEvent",))
+#: Operators of a variable, not of its value.
+OPERATORS: Final = frozenset(("der", "pre", "edge", "change"))
+_REDUCTIONS: Final[Mapping[str, Callable[..., Any]]] = {
+    "max": np.max,
+    "min": np.min,
+    "product": np.prod,
+    "sum": np.sum,
+}
 
 
 class Names(Protocol):
     """What names mean in an expression; each method raises `UnknownError` if it is not known."""
 
-    def value(self, name: str) -> Value:
-        """Return the value of a parameter, constant or iterator."""
+    @property
+    def is_smooth(self) -> bool:
+        """Whether numbers take the place of Booleans that depend on random values."""
 
-    def sizes(self, name: str) -> Sequence[int]:
-        """Return the sizes of an array."""
+    def is_random(self, reference: Chosen) -> bool:
+        """Return whether the value is a random one."""
 
-    def is_function(self, name: str) -> bool:
-        """Return whether the source declares a function of this name."""
+    def value(self, reference: Chosen) -> Value:
+        """Return the value of a variable, parameter or constant."""
+
+    def sizes(self, reference: Chosen) -> Sequence[int]:
+        """Return the sizes of an array, of which the last name has no subscripts."""
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        """Return the value of an operator for a variable, as ``der(x)``."""
+
+    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
+        """Return the result of a function that the source declares; None if it declares none."""
 
 
-def value_of(tokens: Tokens, names: Names) -> Value:
-    """Return the value of an expression.
+def value_of(tokens: Tokens, names: Names, iterators: Mapping[str, float] | None = None) -> Value:
+    """Return the value of an expression, in which iterators have these values.
 
     Raises:
         UnknownError: it is not known
     """
-    reader = _Reader(tokens, names)
     try:
-        found = reader.expression()
-    except (ArithmeticError, TypeError, ValueError) as error:
+        tree = expression(tokens)
+    except SyntaxError as error:
         raise UnknownError from error
-    if reader.here:
-        raise UnknownError
-    return found
+    return _Evaluation(names, iterators or {}).of(tree)
 
 
-class _Reader:
-    def __init__(self, tokens: Tokens, names: Names) -> None:
-        self._tokens = tokens
-        self._place = 0
+class _Evaluation:
+    def __init__(self, names: Names, iterators: Mapping[str, float], dimension: int | None = None) -> None:
         self._names = names
+        self._iterators = iterators
+        self._end = dimension
 
-    @property
-    def here(self) -> str:
-        return self._tokens[self._place] if self._place < len(self._tokens) else ""
+    def of(self, tree: Expression) -> Value:  # noqa: C901 (one case for each kind)
+        match tree:
+            case Number():
+                return as_value(tree.value)
+            case Reference():
+                return self._reference(tree)
+            case Operation():
+                return self._operation(tree)
+            case Choice():
+                return self._choice(tree)
+            case Call():
+                return self._call(tree)
+            case Array():
+                return as_value([self.of(one) for one in tree.elements])
+            case Matrix():
+                return matrix([[self.of(one) for one in row] for row in tree.rows])
+            case Span():
+                return span_of(self.of(tree.first), self.of(tree.step), self.of(tree.last))
+            case Comprehension():
+                return self._comprehension(tree)
+            case End() if self._end is not None:
+                return as_value(self._end)
+        raise UnknownError
 
-    def _take(self) -> str:
-        if not self.here:
-            raise UnknownError
-        self._place += 1
-        return self._tokens[self._place - 1]
-
-    def _expect(self, token: str) -> None:
-        if self._take() != token:
-            raise UnknownError
-
-    def expression(self) -> Value:
-        if self.here not in ("if", "elseif"):
-            return self._logical()
-        self._take()
-        condition = self._logical()
-        self._expect("then")
-        chosen = self.expression()
-        if self.here == "elseif":
-            other = self.expression()
-        else:
-            self._expect("else")
-            other = self.expression()
-        return chosen if _number(condition) else other
-
-    def _logical(self) -> Value:
-        found = self._conjunction()
-        while self.here == "or":
-            self._take()
-            found = float(bool(_number(found)) | bool(_number(self._conjunction())))
-        return found
-
-    def _conjunction(self) -> Value:
-        found = self._negation()
-        while self.here == "and":
-            self._take()
-            found = float(bool(_number(found)) & bool(_number(self._negation())))
-        return found
-
-    def _negation(self) -> Value:
-        if self.here != "not":
-            return self._relation()
-        self._take()
-        return float(not _number(self._relation()))
-
-    def _relation(self) -> Value:
-        found = self._sum()
-        if self.here in _RELATIONS:
-            found = float(_RELATIONS[self._take()](_number(found), _number(self._sum())))
-        return found
-
-    def _sum(self) -> Value:
-        sign = self._take() if self.here in _SUM else ""
-        found = self._product()
-        if sign == "-":
-            found = _scaled(operator.mul, found, -1.0)
-        while self.here in _SUM:
-            found = _elementwise(_SUM[self._take()], found, self._product())
-        return found
-
-    def _product(self) -> Value:
-        found = self._power()
-        while self.here in _PRODUCT:
-            sign, other = self._take(), self._power()
-            if sign == "*" and not isinstance(found, list):
-                found, other = other, found
-            found = _scaled(_PRODUCT[sign], found, _number(other))
-        return found
-
-    def _power(self) -> Value:
-        found = self._primary()
-        if self.here == "^":
-            self._take()
-            power = _number(found) ** _number(self._primary())
-            if isinstance(power, complex):
-                raise UnknownError
-            found = float(power)
-        return found
-
-    def _primary(self) -> Value:
-        first = self._take()
-        if first[0].isdigit():
-            return float(first)
-        if first in ("true", "false"):
-            return float(first == "true")
-        if first == "(":
-            found = self.expression()
-            self._expect(")")
+    def _operation(self, tree: Operation) -> Value:
+        operands = [self.of(one) for one in tree.operands]
+        found = smooth(tree.sign, operands) if self._is_smooth(tree) else None
+        if found is not None:
             return found
-        if first == "{":
-            return self._list("}")
-        if first == "[":
-            return self._matrix()
-        if first[0].isalpha() or first[0] in "_'":
-            return self._named(first)
-        raise UnknownError
+        return unary(tree.sign, *operands) if len(operands) == 1 else binary(tree.sign, *operands)
 
-    def _list(self, end: str) -> list[Value]:
-        elements = [self.expression()]
-        while self.here == ",":
-            self._take()
-            elements.append(self.expression())
-        self._expect(end)
-        return elements
+    def _choice(self, tree: Choice) -> Value:
+        (condition, value), *further = tree.branches
+        holds = self.of(condition)
+        if scalar(holds) == 1:
+            return self.of(value)
+        other = Choice(tuple(further), tree.otherwise) if further else tree.otherwise
+        return self.of(other) if not scalar(holds) else choice(holds, self.of(value), self.of(other))
 
-    def _matrix(self) -> Value:
-        rows: list[Value] = []
-        while True:
-            row = [_number(self.expression())]
-            while self.here == ",":
-                self._take()
-                row.append(_number(self.expression()))
-            rows.append(list(row))
-            if self._take() == "]":
-                return rows
+    def _is_smooth(self, tree: Operation | Call) -> bool:
+        operands = tree.operands if isinstance(tree, Operation) else tree.arguments
+        return self._names.is_smooth and any(map(self._is_random, operands))
 
-    def _named(self, first: str) -> Value:
-        name = self._name(first)
-        if self.here != "(":
-            return self._names.value(name)
-        self._take()
-        if self._names.is_function(name):
+    def _is_random(self, tree: Expression) -> bool:
+        if isinstance(tree, Reference):
+            is_iterator = tree.name in self._iterators
+            return not is_iterator and self._names.is_random(self._chosen(tree))
+        return any(map(self._is_random, parts_of(tree)))
+
+    def _reference(self, tree: Reference) -> Value:
+        if tree.name in self._iterators and not tree.parts[0].subscripts:
+            return as_value(self._iterators[tree.name])
+        return self._names.value(self._chosen(tree))
+
+    def _chosen(self, tree: Reference) -> Chosen:
+        found: list[tuple[str, Sequence[Value | None]]] = []
+        for part in tree.parts:
+            subscripts = [
+                None if one is None else self._subscript(one, [*found, (part.name, ())], place)
+                for place, one in enumerate(part.subscripts)
+            ]
+            found.append((part.name, subscripts))
+        return found
+
+    def _subscript(self, tree: Expression, array: Chosen, place: int) -> Value:
+        if not _has_end(tree):
+            return self.of(tree)
+        sizes = self._names.sizes(array)
+        if place >= len(sizes):
             raise UnknownError
-        return self._size() if name == "size" else _called(name, self._list(")"))
+        return _Evaluation(self._names, self._iterators, sizes[place]).of(tree)
 
-    def _name(self, name: str) -> str:
-        while self.here in (".", "["):
-            if self.here == "[":
-                name += self._take() + self._take()
-                if self.here != "]":
-                    raise UnknownError
-            name += self._take()
-            if name[-1] == ".":
-                name += self._take()
-        return name
+    def _call(self, tree: Call) -> Value:
+        if tree.name in OPERATORS:
+            variable = tree.arguments[0] if len(tree.arguments) == 1 else None
+            if not isinstance(variable, Reference):
+                raise UnknownError
+            return self._names.applied(tree.name, self._chosen(variable))
+        if tree.name == "size":
+            return self._size(tree)
+        arguments = [self.of(one) for one in tree.arguments]
+        rounded = smooth(tree.name, arguments) if self._is_smooth(tree) else None
+        if rounded is not None:
+            return rounded
+        named = {name: self.of(one) for name, one in tree.named}
+        found = self._names.called(tree.name, arguments, named)
+        if found is not None:
+            return found
+        return built_in(tree.name, arguments, named)
 
-    def _size(self) -> Value:
-        sizes = self._names.sizes(self._name(self._take()))
-        if self.here == ")":
-            self._take()
-            return [float(size) for size in sizes]
-        self._expect(",")
-        (dimension,) = self._list(")")
-        if not 1 <= _number(dimension) <= len(sizes):
+    def _size(self, tree: Call) -> Value:
+        if not 1 <= len(tree.arguments) <= 2:
             raise UnknownError
-        return float(sizes[int(_number(dimension)) - 1])
+        array, *dimension = tree.arguments
+        if isinstance(array, Reference) and not array.parts[-1].subscripts:
+            sizes = self._names.sizes(self._chosen(array))
+        else:
+            sizes = self.of(array).shape
+        if not dimension:
+            return as_value(sizes)
+        place = whole(self.of(*dimension))
+        if not 1 <= place <= len(sizes):
+            raise UnknownError
+        return as_value(sizes[place - 1])
+
+    def _comprehension(self, tree: Comprehension) -> Value:
+        elements = self._elements(tree.body, tree.iterators)
+        if not tree.function:
+            return elements
+        if tree.function not in _REDUCTIONS or not elements.size:
+            raise UnknownError
+        # The elements of a sum may be arrays.
+        axes = tuple(range(len(tree.iterators)))
+        return as_value(_REDUCTIONS[tree.function](elements, axis=axes))
+
+    def _elements(self, body: Expression, iterators: Sequence[tuple[str, Expression]]) -> Value:
+        """Return an array whose last dimension belongs to the first iterator (section 10.4.1.1)."""
+        if not iterators:
+            return self.of(body)
+        *outer, (name, numbers) = iterators
+        values = self.of(numbers)
+        if values.ndim != 1 or values.size > MOST_ELEMENTS:
+            raise UnknownError
+        points = [
+            _Evaluation(self._names, {**self._iterators, name: float(one)}, self._end) for one in values
+        ]
+        return as_value([one._elements(body, outer) for one in points])
 
 
-def _called(name: str, arguments: list[Value]) -> Value:
-    if name in _FILLED:
-        value, *sizes = (*_FILLED[name], *map(_number, arguments))
-        return _filled(value, sizes)
-    if name in _OF_ARRAYS:
-        return float(_OF_ARRAYS[name](list(_flat(arguments))))
-    if name not in _FUNCTIONS:
+def built_in(name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value:
+    """Return the result of a built-in function or operator."""
+    if name == "homotopy":
+        return arguments[0] if arguments else named["actual"]
+    if named:
         raise UnknownError
-    return float(_FUNCTIONS[name](*map(_number, arguments)))
+    if name == "smooth" and len(arguments) == 2:
+        return arguments[1]
+    if name in _SAME and len(arguments) == 1:
+        return arguments[0]
+    return called(name, arguments)
 
 
-def _filled(value: float, sizes: Sequence[float]) -> Value:
-    if not sizes:
-        return value
-    if not 0 <= sizes[0] <= _MOST_ELEMENTS:
-        raise UnknownError
-    return [_filled(value, sizes[1:]) for _ in range(int(sizes[0]))]
-
-
-def _flat(value: Value) -> Iterator[float]:
-    if isinstance(value, list):
-        for one in value:
-            yield from _flat(one)
-    else:
-        yield value
-
-
-def _scaled(operation: _Operation, value: Value, other: float) -> Value:
-    if isinstance(value, list):
-        return [_scaled(operation, one, other) for one in value]
-    return operation(value, other)
-
-
-def _elementwise(operation: _Operation, one: Value, other: Value) -> Value:
-    if isinstance(one, list) and isinstance(other, list):
-        return [_elementwise(operation, a, b) for a, b in zip(one, other, strict=True)]
-    return operation(_number(one), _number(other))
-
-
-def _number(value: Value) -> float:
-    if isinstance(value, list):
-        raise UnknownError
-    return value
+def _has_end(tree: Expression) -> bool:
+    """Return whether there is an ``end`` in an expression, but not in the subscripts of another array."""
+    return isinstance(tree, End) or any(map(_has_end, parts_of(tree)))

@@ -17,80 +17,86 @@ from typing import Final
 
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import REDECLARE
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.givens import Scope
-from fmu_build.codegen.second_reading.inlined import names_of_constants
+from fmu_build.codegen.second_reading.givens import Scope, Text, joined, nowhere
 from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class, Tokens
 
+_DEEPEST: Final = 20
 _AFTER_VALUES: Final = frozenset(("and", "annotation", "else", "elseif", "for", "if", "loop", "or", "then"))
 
 
-def captured_names(library: Library, instances: Instances) -> Iterator[tuple[str, Class]]:
-    """Yield what names would mean, and the base classes in which they stand."""
-    parts = (part.classes[0] for part in instances.parts.values())
-    packages = (one for one in library.classes() if one.kind == "package")
-    for derived in {id(one): one for one in (*parts, *packages)}.values():
-        with suppress(UnknownError):
-            yield from _captured(library, derived)
+def captured_names(instances: Instances, texts: Iterable[Text]) -> Iterator[tuple[str, Class]]:
+    """Yield what names in texts would mean, and the base classes in which they stand."""
+    for text in texts:
+        part = instances.parts.get(text.scope.path)
+        if part is not None:
+            yield from _captured(instances.library, part.classes[0], text.scope.around, [text.tokens])
+
+
+def captured_in_packages(library: Library) -> Iterator[tuple[str, Class]]:
+    """Yield the same for names in the declarations of packages."""
+    for derived in library.classes():
+        if derived.kind == "package":
+            with suppress(UnknownError):
+                for base in library.lineage(derived):
+                    for component in base.components:
+                        texts = (*component.dimensions, component.condition, component.modifier.value)
+                        yield from _captured(library, derived, base, texts)
+
+
+def unknown_declarations(instances: Instances) -> Iterator[Text]:
+    """Yield the sizes and conditions of components of which nothing is known."""
+    for path, part in instances.parts.items():
+        for owner in part.classes:
+            for component in owner.components:
+                name = joined(path, component.name)
+                if name not in instances.sizes and name not in instances.absent:
+                    for tokens in (*component.dimensions, component.condition):
+                        yield Text(Scope(path, owner), tokens)
 
 
 def uses_of_replaceable_packages(
-    model: LoweredModel, library: Library, instances: Instances
+    model: LoweredModel, library: Library, instances: Instances, unknown: Iterable[Text]
 ) -> Iterator[tuple[str, Class]]:
     """Yield the constants of replaceable packages that inner classes use, and these classes."""
-    used = [owner for part in instances.parts.values() for owner in part.classes]
-    used += [one for owner in used for one in owner.classes.values() if one.kind == "package"]
-    for function in model.flat["functions"].values():
-        span = function["span"]
-        with suppress(UnknownError, KeyError):
-            used.append(library.class_at(span["source"], model.offset(span)))
-    for inner in {id(one): one for one in used}.values():
+    used = [(text.scope.around, text.tokens) for text in unknown]
+    owners = {id(owner): owner for part in instances.parts.values() for owner in part.classes}
+    for owner in owners.values():
+        used += [(one, one.tokens) for one in owner.classes.values() if one.kind == "package"]
+    for inner, tokens in used:
         for name in _outer_packages(library, inner):
-            if _uses(inner.tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):
+            if _uses(tokens, name) and model.classes.find([rf"{REDECLARE}package\s+{name}\b"]):
                 what = f"{inner.name} uses a constant of the replaceable package {name} around it"
                 yield f"{what}, which a component redeclares", inner
 
 
-def constants_of_heirs(library: Library, instances: Instances) -> Iterator[tuple[str, Class]]:
-    """Yield constants that rumoca may take from another heir of their package without a trace.
-
-    These are Booleans, of which only the branch that they decide is left, and constants of packages that a
-    class redeclares as an element.
-    """
-    for path, part in instances.parts.items():
-        for owner in part.classes:
-            yield from _booleans(library, instances, Scope(path, owner))
-    for owner in library.classes():
-        yield from _of_redeclared_packages(library, owner)
+def constants_of_heirs(
+    library: Library, instances: Instances, unknown: Iterable[Text]
+) -> Iterator[tuple[str, Class]]:
+    """Yield constants in unknown texts that rumoca may take from another heir of their package."""
+    for text in unknown:
+        for name in _names_of_constants(text.tokens):
+            if _is_of_heirs(library, instances, name, text.scope, 0):
+                yield f"the constant {name}", text.scope.around
 
 
-def _booleans(library: Library, instances: Instances, scope: Scope) -> Iterator[tuple[str, Class]]:
-    values = (one.modifier.value for one in scope.around.components)
-    for tokens in (*_texts(scope.around), *values):
-        for name in names_of_constants(tokens):
-            with suppress(UnknownError):
-                if not instances.means_member(name, scope):
-                    package, last = instances.place_of_constant(name, scope)
-                    if _is_shared(library, package, last, "Boolean"):
-                        yield f"the Boolean {name}", scope.around
-
-
-def _of_redeclared_packages(library: Library, owner: Class) -> Iterator[tuple[str, Class]]:
-    for one in owner.classes.values():
-        if one.kind == "package" and "redeclare" in one.prefixes and one.is_short:
-            with suppress(UnknownError):
-                heirs = {id(base) for base in library.lineage(library.base(one, one.bases[0][0]))}
-                is_used = any(_uses(base.tokens, one.name) for base in library.bases(owner))
-                if heirs & library.changed and is_used:
-                    yield f"constants of {one.name}", owner
-
-
-def _is_shared(library: Library, package: Class, name: str, kind: str) -> bool:
-    """Return whether a constant of this type stands in a base of which heirs have other constants."""
-    around, component = library.components(package).get(name, (package, None))
-    return component is not None and component.type == kind and id(around) in library.changed
+def _is_of_heirs(library: Library, instances: Instances, name: str, scope: Scope, depth: int) -> bool:
+    """Return whether a constant, or one that its value needs, stands in a package whose heirs have others."""
+    try:
+        if instances.means_member(name, scope):
+            return False
+        package, last = instances.lookup.constant(name, scope)
+        around, component = library.components(package)[last]
+    except ChangedError:
+        return True
+    except (KeyError, UnknownError):
+        return False
+    if id(around) in library.changed or depth > _DEEPEST:
+        return True
+    inner = _names_of_constants(component.modifier.value)
+    return any(_is_of_heirs(library, instances, one, nowhere(around), depth + 1) for one in inner)
 
 
 def _outer_packages(library: Library, inner: Class) -> Iterator[str]:
@@ -106,36 +112,38 @@ def _outer_packages(library: Library, inner: Class) -> Iterator[str]:
 
 def _uses(tokens: Tokens, package: str) -> bool:
     """Return whether a class uses a constant of a package, and not only its classes and functions."""
-    for place in range(len(tokens) - 3):
+    for place in range(len(tokens) - 2):
         is_first = not place or tokens[place - 1] != "."
         if is_first and tokens[place : place + 2] == (package, "."):
-            after = tokens[place + 3]
+            after = tokens[place + 3] if place + 3 < len(tokens) else ""
             is_class = after == "(" or (after.isidentifier() and after not in _AFTER_VALUES)
             if not is_class:
                 return True
     return False
 
 
-def _captured(library: Library, derived: Class) -> Iterator[tuple[str, Class]]:
-    own = library.components(derived)
-    for base in library.lineage(derived):
-        further = own.keys() - library.components(base).keys()
-        for tokens in _texts(base) if further else ():
+def _captured(
+    library: Library, derived: Class, base: Class, texts: Iterable[Tokens]
+) -> Iterator[tuple[str, Class]]:
+    with suppress(UnknownError):
+        further = library.components(derived).keys() - library.components(base).keys()
+        for tokens in texts if further else ():
             for name in sorted(_first_names(tokens)):
                 if name in further:
                     where = f"{base.name}, which {derived.name} inherits"
                     yield f"{name} in {where}, would mean the {name} of {derived.name}", base
 
 
-def _texts(owner: Class) -> Iterator[Tokens]:
-    """Yield the expressions of which the values are not compared otherwise."""
-    yield from (section.tokens for section in owner.sections)
-    for component in owner.components:
-        yield from component.dimensions
-        yield component.condition
-        value = component.modifier.value
-        if owner.kind == "package" or "for" in value or ":" in value:
-            yield value
+def _names_of_constants(tokens: Tokens) -> Iterator[str]:
+    """Yield the qualified names in an expression, but not those of functions."""
+    name = ""
+    for token, after in zip(tokens, (*tokens[1:], ""), strict=False):
+        if token == "." or (token.isidentifier() and (not name or name.endswith("."))):
+            name += token
+        if name and after != "." and not name.endswith("."):
+            if after not in ("(", "="):
+                yield name
+            name = ""
 
 
 def _first_names(tokens: Tokens) -> Iterable[str]:

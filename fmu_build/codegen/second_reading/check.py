@@ -5,18 +5,22 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from fmu_build.codegen.compiled import Span
+from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.captures import (
+    captured_in_packages,
     captured_names,
     constants_of_heirs,
+    unknown_declarations,
     uses_of_replaceable_packages,
 )
 from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
+from fmu_build.codegen.second_reading.function_bodies import mistaken_functions
+from fmu_build.codegen.second_reading.givens import Text
 from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import mistaken_packages
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.values import mistaken_values
@@ -31,11 +35,14 @@ def reject_other_values(model: LoweredModel) -> None:
             joins different connectors
         UnsupportedModelError: rumoca has lost or misread something
     """
+    library = Library({number: text for number, (_, text) in model.sources.items()})
+    for place in expressions([*model.flat["variables"].values(), model.flat["equations"]], "span"):
+        if place["source"] in library.unread:
+            raise model.unsupported(f"the file cannot be checked: {library.unread[place['source']]}", place)
     try:
-        library = Library({number: text for number, (_, text) in model.sources.items()})
         instances = Instances(library, library.class_of(model.name))
-    except (SyntaxError, UnknownError):
-        return  # The checks that look for single constructs remain.
+    except UnknownError as error:
+        raise model.unsupported("the source cannot be checked: the class is not found") from error
     connections = Connections(instances)
     for mistake, name in (*instances.mistakes, *connections.mistakes):
         found = model.classes.find([rf"(?<![\w.]){re.escape(name)}\s*[(=](?!=)"])
@@ -48,24 +55,48 @@ def _differences(
     model: LoweredModel, library: Library, instances: Instances, connections: Connections
 ) -> Iterator[tuple[str, Span | None]]:
     """Yield what differs, each with what to do and the place."""
-    for difference, span in mistaken_values(model, instances):
+    unknown: list[Text] = []
+    in_functions: list[Text] = []
+    for difference, span in mistaken_values(model, instances, unknown):
         yield f"{difference}; declare the value in a class of its own", span
-    for difference, around in captured_names(library, instances):
-        span = model.span(around.file, around.start, around.end)
-        yield f"{difference}, because the compiler looks it up there first; rename one of them", span
-    for difference, around in uses_of_replaceable_packages(model, library, instances):
-        span = model.span(around.file, around.start, around.end)
-        why = "the compiler would take another package"
-        yield f"{difference}: {why}; pass the value as a parameter or an argument", span
-    for difference, around in constants_of_heirs(library, instances):
-        span = model.span(around.file, around.start, around.end)
-        why = "the compiler may take those of another package with the same base"
-        yield f"{difference} in {around.name} cannot be checked: {why}; use a parameter", span
-    for difference in mistaken_variables(model, instances):
-        yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
-    for difference, span in (*mistaken_equations(model, instances), *mistaken_clauses(model, instances)):
+    for difference, span in (
+        *mistaken_equations(model, instances, unknown),
+        *mistaken_clauses(model, instances, unknown),
+    ):
         yield f"{difference}: the compiler has misread the class; write it another way", span
     for difference, span in mistaken_packages(model, library, instances):
         yield f"{difference}: the compiler looks up the name in the wrong class; write its full name", span
+    for difference, span in mistaken_functions(model, library, unknown, in_functions):
+        yield f"{difference}: the compiler has misread the function; write it another way", span
+    yield from _of_unknown(
+        model, library, instances, [*unknown, *unknown_declarations(instances)], in_functions
+    )
+    for what, around in instances.unknown:
+        span = model.span(around.file, around.start, around.end)
+        yield f"{what} cannot be checked; declare a class of its own for the component", span
+    for difference in mistaken_variables(model, instances):
+        yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
     for difference in mistaken_connections(model, connections):
         yield f"{difference}: the compiler has misread a connection; write it another way", None
+
+
+def _of_unknown(
+    model: LoweredModel, library: Library, instances: Instances, unknown: list[Text], in_functions: list[Text]
+) -> Iterator[tuple[str, Span | None]]:
+    """Yield what might differ in texts that cannot be compared."""
+    for difference, around in (
+        *captured_names(instances, unknown),
+        *captured_in_packages(library),
+    ):
+        span = model.span(around.file, around.start, around.end)
+        yield f"{difference}, because the compiler looks it up there first; rename one of them", span
+    for difference, around in uses_of_replaceable_packages(
+        model, library, instances, (*unknown, *in_functions)
+    ):
+        span = model.span(around.file, around.start, around.end)
+        why = "the compiler would take another package"
+        yield f"{difference}: {why}; pass the value as a parameter or an argument", span
+    for difference, around in constants_of_heirs(library, instances, unknown):
+        span = model.span(around.file, around.start, around.end)
+        why = "the compiler may take those of another package with the same base"
+        yield f"{difference} in {around.name} cannot be checked: {why}; use a parameter", span

@@ -1,107 +1,161 @@
-"""Compare rumoca's when-clauses, assertions and algorithms with those of the classes in the source."""
+"""Compare rumoca's when-clauses, assertions and algorithms with those of the classes in the source.
+
+All conditions, variables and values in them must have the same values at random points, in the same order.
+"""
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
-from typing import Any, Final
+from typing import Any, TypeAlias
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
+from fmu_build.codegen.second_reading.agreement import Size, differ
+from fmu_build.codegen.second_reading.clause_values import compiled_values, source_values
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
-from fmu_build.codegen.second_reading.givens import Scope
-from fmu_build.codegen.second_reading.instances import Instances, around
-from fmu_build.codegen.second_reading.sections import When, statements
-from fmu_build.codegen.second_reading.syntax import Class
+from fmu_build.codegen.second_reading.givens import Scope, Text
+from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import UnknownError
+from fmu_build.codegen.second_reading.points import Points
+from fmu_build.codegen.second_reading.residuals import kept_names
+from fmu_build.codegen.second_reading.sections import Call, Statement, When, statements
+from fmu_build.codegen.second_reading.syntax import Section
 
 Difference = tuple[str, Span]
-_OF_COMPONENT: Final = "algorithm from "
+Trees: TypeAlias = Sequence[Mapping[str, Any]]
+_OF_COMPONENT = "algorithm from "
 
 
-def mistaken_clauses(model: LoweredModel, instances: Instances) -> Iterator[Difference]:
-    """Yield what is wrong with when-clauses, assertions and algorithms, and where these stand."""
-    for kind in ("assert_equations", "initial_assert_equations", "algorithms", "initial_algorithms"):
-        for one in model.flat[kind]:
-            if one["span"]["source"] in model.sources:
-                yield from _names(model, instances, one)
-    yield from _when_clauses(model, instances)
+def mistaken_clauses(model: LoweredModel, instances: Instances, unknown: list[Text]) -> Iterator[Difference]:
+    """Yield what is wrong with when-clauses, assertions and algorithms, and where these stand.
 
-
-def _names(model: LoweredModel, instances: Instances, one: Mapping[str, Any]) -> Iterator[Difference]:
-    """Yield the names in an assertion or algorithm that mean variables of another component."""
-    origin = one["origin"]
-    if isinstance(origin, str):
-        path = origin.removeprefix(_OF_COMPONENT) if origin.startswith(_OF_COMPONENT) else ""
-    else:
-        path = next(expressions(origin, "ComponentEquation"), {}).get("component", "")
-    part = instances.parts.get(path)
-    for owner in part.classes if part is not None else ():
-        if owner.contains(*_place(model, one["span"])):
-            for check in (mistaken_names, mistaken_numbers):
-                for difference in check(model, instances, Scope(path, owner), dict(one)):
-                    yield difference, one["span"]
-
-
-def _place(model: LoweredModel, span: Span) -> tuple[int, int]:
-    """Return the number of the file and the offset at which something stands."""
-    return span["source"], model.offset(span)
-
-
-def _when_clauses(model: LoweredModel, instances: Instances) -> Iterator[Difference]:
-    """Yield when-clauses that are lost, or with variables of more than one component."""
-    paths = defaultdict(list)
+    The texts of those that cannot be compared are added to `unknown`.
+    """
     for path, part in instances.parts.items():
         for owner in part.classes:
-            paths[id(owner)].append((path, owner))
-    found: dict[str, list[tuple[int, int]]] = defaultdict(list)
-    chains = (one for one in model.flat["when_chains"] if one["span"]["source"] in model.sources)
-    for chain in chains:
-        place = _place(model, chain["span"])
-        possible = [one for owners in paths.values() for one in owners if one[1].contains(*place)]
-        scopes = [Scope(path, owner) for path, owner in possible]
-        scopes = [scope for scope in scopes if _is_of(model, instances, scope, chain)]
-        own = [scope.path for scope in scopes]
-        if len(scopes) == 1:
-            for difference in mistaken_numbers(model, instances, scopes[0], dict(chain)):
-                yield difference, chain["span"]
-        if possible and not own and _is_known(instances, chain):
-            yield f"a when-clause of {possible[0][1].name} has variables of another component", chain["span"]
-        for path in own:
-            found[path].append(place)
-    for path, owner in (one for owners in paths.values() for one in owners):
-        yield from _lost(model, Scope(path, owner), found[path])
+            clauses = _Clauses(model, instances, Scope(path, owner), unknown)
+            for section in owner.sections:
+                yield from clauses.in_equations(section)
+            for section in owner.algorithms:
+                yield from clauses.algorithm(section)
 
 
-def _lost(model: LoweredModel, scope: Scope, found: Sequence[tuple[int, int]]) -> Iterator[Difference]:
-    """Yield the when-clauses of a component that are not at these places."""
-    owner = scope.around
-    for start, end in _of_class(owner):
-        if not any(file == owner.file and start <= place < end for file, place in found):
-            where = f" of {scope.path}" if scope.path else ""
-            yield f"a when-clause{where} is lost", model.span(owner.file, start, end)
+class _Clauses:
+    """The clauses in one class of a component."""
 
+    def __init__(self, model: LoweredModel, instances: Instances, scope: Scope, unknown: list[Text]) -> None:
+        self._model = model
+        self._instances = instances
+        self._scope = scope
+        self._unknown = unknown
 
-def _is_known(instances: Instances, chain: Mapping[str, Any]) -> bool:
-    """Return whether all components are known whose variables a when-clause has."""
-    names = {one["name"]["name"] for one in expressions(dict(chain), "VarRef")} - {"time"}
-    names |= {one["target"] for one in expressions(dict(chain), "Assign")}
-    return all(["", *around(name)][-1] in instances.parts for name in names)
+    def in_equations(self, section: Section) -> Iterator[Difference]:
+        """Yield what is wrong with the when-clauses and assertions of a section."""
+        try:
+            inner = statements(section)
+        except SyntaxError:
+            return  # The text is among the unknown ones already.
+        for one in inner:
+            if isinstance(one, When):
+                yield from self._when(section, one)
+            elif isinstance(one, Call):
+                yield from self._call(section, one)
 
+    def algorithm(self, section: Section) -> Iterator[Difference]:
+        """Yield what is wrong with an algorithm."""
+        kind = "initial_algorithms" if section.is_initial else "algorithms"
+        start, end = section.places[0], section.places[-1]
+        found = [one for one in self._between(self._model.flat[kind], start, end) if self._is_own(one)]
+        trees = [one for each in found for one in each["statements"]]
+        try:
+            inner = statements(section)
+        except SyntaxError:
+            inner = None
+        if not trees and section.tokens:
+            yield f"an algorithm{self._where} is lost", self._span(start, end)
+        yield from self._compared("algorithm", Text(self._scope, section.tokens), inner, [trees], start)
 
-def _of_class(owner: Class) -> Iterator[tuple[int, int]]:
-    """Yield the places of the when-clauses of a class that are neither in branches nor in loops."""
-    with suppress(SyntaxError):
-        for section in owner.sections:
-            for one in statements(section):
-                if isinstance(one, When):
-                    yield one.start, one.end
+    def _when(self, section: Section, one: When) -> Iterator[Difference]:
+        chains = self._between(self._model.flat["when_chains"], one.start, one.end)
+        chains = [chain for chain in chains if self._sets_own(chain)]
+        if not chains:
+            yield f"a when-clause{self._where} is lost", self._span(one.start, one.end)
+            return
+        text = Text(self._scope, section.between(one.start, one.end))
+        yield from self._compared("when-clause", text, [one], [[chain] for chain in chains], one.start)
 
+    def _call(self, section: Section, one: Call) -> Iterator[Difference]:
+        kind = "initial_assert_equations" if section.is_initial else "assert_equations"
+        found = [
+            each for each in self._between(self._model.flat[kind], one.start, one.end) if self._is_own(each)
+        ]
+        text = Text(self._scope, section.between(one.start, one.end))
+        yield from self._compared("assertion", text, [one], [[each] for each in found], one.start)
 
-def _is_of(model: LoweredModel, instances: Instances, scope: Scope, chain: Mapping[str, Any]) -> bool:
-    """Return whether a when-clause may be that of a component: all its names mean variables there."""
-    prefix = f"{scope.path}." if scope.path else ""
-    targets = [one["target"] for one in expressions(dict(chain), "Assign")]
-    return all(target.startswith(prefix) for target in targets) and not any(
-        mistaken_names(model, instances, scope, dict(chain))
-    )
+    def _compared(
+        self,
+        what: str,
+        text: Text,
+        inner: Sequence[Statement] | None,
+        candidates: Sequence[Trees],
+        start: int,
+    ) -> Iterator[Difference]:
+        """Yield that none of rumoca's trees, of perhaps several components, has the values of the source."""
+        try:
+            if not candidates or any(not self._differ(inner, trees) for trees in candidates):
+                return
+        except UnknownError:
+            self._unknown.append(text)
+            if len(candidates) == 1:
+                yield from self._by_names(candidates[0])
+            return
+        specific = [*self._by_names(candidates[0])] if len(candidates) == 1 else []
+        yield from specific or [
+            (f"the {what}{self._where} has become another one", self._span(start, start + 1))
+        ]
+
+    def _differ(self, inner: Sequence[Statement] | None, trees: Trees) -> bool:
+        if inner is None:
+            raise UnknownError
+        size, points = Size(), Points(self._instances, kept_names(trees))
+        return differ(
+            points,
+            lambda point: source_values(point, self._scope, inner, size),
+            lambda point: compiled_values(self._model, point, trees),
+            size,
+        )
+
+    def _by_names(self, trees: Trees) -> Iterator[Difference]:
+        for one in trees:
+            span = next(expressions(dict(one), "span"))
+            for check in (mistaken_names, mistaken_numbers):
+                for difference in check(self._model, self._instances, self._scope, dict(one)):
+                    yield difference, span
+
+    def _sets_own(self, chain: Mapping[str, Any]) -> bool:
+        """Return whether all variables that a when-clause sets are in this component."""
+        prefix = f"{self._scope.path}." if self._scope.path else ""
+        return all(one["target"].startswith(prefix) for one in expressions(dict(chain), "Assign"))
+
+    def _is_own(self, one: Mapping[str, Any]) -> bool:
+        """Return whether an assertion or algorithm is that of this component."""
+        origin = one["origin"]
+        if isinstance(origin, str):
+            return (
+                origin.removeprefix(_OF_COMPONENT) if origin.startswith(_OF_COMPONENT) else ""
+            ) == self._scope.path
+        return any(
+            found["component"] == self._scope.path for found in expressions(origin, "ComponentEquation")
+        )
+
+    def _between(self, found: Trees, start: int, end: int) -> list[Mapping[str, Any]]:
+        file = self._scope.around.file
+        own = (one for one in found if one["span"]["source"] == file)
+        return [one for one in own if start <= self._model.offset(one["span"]) < end]
+
+    @property
+    def _where(self) -> str:
+        return f" of {self._scope.path}" if self._scope.path else ""
+
+    def _span(self, start: int, end: int) -> Span:
+        return self._model.span(self._scope.around.file, start, end)

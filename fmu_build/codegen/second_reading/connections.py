@@ -13,9 +13,9 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import Any, Generic, TypeVar
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import Mistake, Scope
 from fmu_build.codegen.second_reading.instances import Instances, Leaf, around
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.references import Elements, elements, points
 from fmu_build.codegen.second_reading.sections import Branches, Connection, Loop, Statement, statements
 

@@ -6,67 +6,86 @@ component. Each equation of its classes must be there, if it is not in a branch 
 
 from __future__ import annotations
 
-import bisect
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import dataclass
 from typing import Any
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.modelica_source.text import blanked
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
-from fmu_build.codegen.second_reading.givens import Scope, plain
-from fmu_build.codegen.second_reading.inlined import mistaken_constants
+from fmu_build.codegen.second_reading.captures import captured_names
+from fmu_build.codegen.second_reading.givens import Scope, Text, as_written, nowhere, plain
 from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import NAME, is_iterator, is_one_of
-from fmu_build.codegen.second_reading.references import points
-from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
+from fmu_build.codegen.second_reading.residuals import Pass, Residuals, passes
+from fmu_build.codegen.second_reading.scopes import Library
+from fmu_build.codegen.second_reading.sections import (
+    Branches,
+    Call,
+    Equation,
+    Loop,
+    Statement,
+    When,
+    statements,
+)
 from fmu_build.codegen.second_reading.syntax import TOKEN, Section
 
 Difference = tuple[str, Span]
 
 
-def mistaken_equations(model: LoweredModel, instances: Instances) -> Iterator[Difference]:
-    """Yield what is wrong with the equations of components, and where these stand."""
+def mistaken_equations(
+    model: LoweredModel, instances: Instances, unknown: list[Text]
+) -> Iterator[Difference]:
+    """Yield what is wrong with the equations of components, and where these stand.
+
+    The texts of equations that cannot be compared by their residuals are added to `unknown`.
+    """
     for kind in ("equations", "initial_equations"):
-        found = _by_component(one for one in model.flat[kind] if one["span"]["source"] in model.sources)
+        found = _by_component(model, kind)
         for path, part in instances.parts.items():
-            for equation in found.get(path, []):
-                span = equation["span"]
-                place = (span["source"], model.offset(span))
-                owner = next((one for one in part.classes if one.contains(*place)), None)
-                if owner is None:
-                    yield f"{path} has an equation that is not in its class", span
-                else:
-                    yield from _mistaken(model, instances, Scope(path, owner), equation)
+            for one in found.get(path, []):
+                if not any(owner.contains(one.file, one.offset) for owner in part.classes):
+                    yield f"{path} has an equation that is not in its class", one.equation["span"]
             for owner in part.classes:
-                comparison = _Comparison(model, instances, Scope(path, owner), found.get(path, []))
+                own = [one for one in found.get(path, []) if owner.contains(one.file, one.offset)]
+                comparison = _Comparison(model, instances, Scope(path, owner), own)
                 for section in owner.sections:
                     if section.is_initial == (kind == "initial_equations"):
-                        yield from comparison.of(section)
+                        yield from comparison.of(section, unknown)
+        of_unknown = (one for path in found.keys() - instances.parts.keys() for one in found[path])
+        unknown += _texts_around(instances.library, of_unknown)
 
 
-def _mistaken(
-    model: LoweredModel, instances: Instances, scope: Scope, equation: Mapping[str, Any]
-) -> Iterator[Difference]:
-    """Yield the names and numbers in an equation that are not what the source means."""
-    span, tree = equation["span"], equation["residual"]
-    for difference in mistaken_names(model, instances, scope, tree):
-        yield difference, span
-    for difference in mistaken_numbers(model, instances, scope, tree):
-        yield difference, span
-    tokens = tuple(TOKEN.findall(blanked(model.text(span))))
-    if "=" in tokens:  # Equations in loops and branches have the place of an iterator or a condition.
-        for difference in mistaken_constants(instances, scope, tokens, tree):
-            yield difference, span
+def _texts_around(library: Library, found: Iterable[_Compiled]) -> Iterator[Text]:
+    """Yield the sections of the classes in which equations of unknown components stand."""
+    with suppress(UnknownError):
+        classes = [library.class_at(one.file, one.offset) for one in found]
+        for owner in {id(one): one for one in classes}.values():
+            yield from (Text(nowhere(owner), section.tokens) for section in owner.sections)
 
 
-def _by_component(equations: Iterable[Mapping[str, Any]]) -> dict[str, list[Mapping[str, Any]]]:
+@dataclass(frozen=True, slots=True)
+class _Compiled:
+    """A flat equation, the place of its text, and its residuals."""
+
+    equation: Mapping[str, Any]
+    file: int
+    offset: int
+    residuals: Sequence[Pass]
+
+
+def _by_component(model: LoweredModel, kind: str) -> dict[str, list[_Compiled]]:
+    """Return the equations of each component that stand in the source."""
     found = defaultdict(list)
-    for equation in equations:
-        if "ComponentEquation" in equation["origin"]:
-            found[equation["origin"]["ComponentEquation"]["component"]].append(equation)
+    equations = model.flat[kind]
+    families = model.flat[kind.replace("equations", "structured_equations")]
+    for equation, residuals in zip(equations, passes(equations, families), strict=True):
+        origin, span = equation["origin"], equation["span"]
+        if "ComponentEquation" in origin and span["source"] in model.sources:
+            one = _Compiled(equation, span["source"], model.offset(span), residuals)
+            found[origin["ComponentEquation"]["component"]].append(one)
     return found
 
 
@@ -119,66 +138,74 @@ class _Comparison:
     """Compares the equations of one class with those that rumoca gives to a component of it."""
 
     def __init__(
-        self, model: LoweredModel, instances: Instances, scope: Scope, found: Sequence[Mapping[str, Any]]
+        self, model: LoweredModel, instances: Instances, scope: Scope, found: Sequence[_Compiled]
     ) -> None:
         self._model = model
         self._instances = instances
         self._scope = scope
-        self._file = scope.around.file
-        own = [one for one in found if one["span"]["source"] == self._file]
-        self._starts = [model.offset(one["span"]) for one in own]
-        spans = (span for one in own for span in expressions(one["residual"], "span"))
-        self._parts = sorted(model.offset(span) for span in spans if span["source"] == self._file)
+        self._found = found
 
-    def of(self, section: Section) -> Iterator[Difference]:
-        """Yield the equations of a section that are lost."""
-        with suppress(SyntaxError):
-            for one in statements(section):
-                yield from self._in(one)
+    def of(self, section: Section, unknown: list[Text]) -> Iterator[Difference]:
+        """Yield what is wrong with the equations of a section."""
+        try:
+            inner = statements(section)
+        except SyntaxError:
+            unknown.append(Text(self._scope, section.tokens))
+            if section.places:
+                yield from self._by_names(section.places[0], section.places[-1])
+            return
+        for one in inner:
+            if isinstance(one, Equation | Branches | Loop):
+                yield from self._statement(section, one, unknown)
+            if isinstance(one, Branches | Loop) and _has_clauses(one):
+                unknown.append(Text(self._scope, section.between(one.start, one.end)))
 
-    def _in(self, one: Statement) -> Iterator[Difference]:
-        with suppress(UnknownError):
-            if isinstance(one, Equation):
-                yield from self._equation(one)
-            elif isinstance(one, Loop):
-                yield from self._loop(one)
-            elif isinstance(one, Branches):
-                # Loops in branches have another place.
-                active = (inner for inner in self._active(one, {}) if not isinstance(inner, Loop))
-                for inner in active:
-                    yield from self._in(inner)
+    def _statement(
+        self, section: Section, one: Equation | Branches | Loop, unknown: list[Text]
+    ) -> Iterator[Difference]:
+        compiled = [each for found in self._between(one.start, one.end) for each in found.residuals]
+        text = Text(self._scope, section.between(one.start, one.end))
+        try:
+            if not Residuals(self._model, self._instances, self._scope, compiled).differ(one):
+                return
+        except UnknownError:
+            unknown.append(text)
+            yield from self._by_names(one.start, one.end)
+            return
+        specific = [*self._by_names(one.start, one.end), *self._captured(text, one)]
+        yield from specific
+        if not specific:
+            where = f" of {self._scope.path}" if self._scope.path else ""
+            what = as_written(text.tokens).removesuffix(";")
+            fate = "has become another one" if compiled else "is lost"
+            yield f"the equation {what}{where} {fate}", self._span(one.start, one.end)
 
-    def _active(self, one: Branches, iterators: Mapping[str, float]) -> tuple[Statement, ...]:
-        """Return the equations of the branch that holds."""
-        for condition, body in one.branches:
-            if not condition or self._instances.number(condition, self._scope, iterators):
-                return body
-        return ()
+    def _captured(self, text: Text, one: Equation | Branches | Loop) -> Iterator[Difference]:
+        for difference, _ in captured_names(self._instances, [text]):
+            yield (
+                f"{difference}, because the compiler looks it up there first",
+                self._span(one.start, one.end),
+            )
 
-    def _equation(self, one: Equation) -> Iterator[Difference]:
-        first = bisect.bisect_left(self._parts, one.start)
-        if first == len(self._parts) or self._parts[first] >= one.end:
-            yield self._difference(f"the equation {' '.join(one.tokens)}{self._where} is lost", one.start)
+    def _between(self, start: int, end: int) -> list[_Compiled]:
+        return [one for one in self._found if start <= one.offset < end]
 
-    def _difference(self, what: str, start: int) -> Difference:
-        return what, self._model.span(self._file, start, start + 1)
+    def _by_names(self, start: int, end: int) -> Iterator[Difference]:
+        """Yield the names and numbers that are not what the source means, or that everything is lost."""
+        found = self._between(start, end)
+        for one in found:
+            for check in (mistaken_names, mistaken_numbers):
+                for difference in check(self._model, self._instances, self._scope, one.equation["residual"]):
+                    yield difference, one.equation["span"]
 
-    @property
-    def _where(self) -> str:
-        return f" of {self._scope.path}" if self._scope.path else ""
+    def _span(self, start: int, end: int) -> Span:
+        return self._model.span(self._scope.around.file, start, end)
 
-    def _loop(self, one: Loop) -> Iterator[Difference]:
-        """Count the equations, which all have the place of the first iterator."""
-        found, expected = self._starts.count(one.start), self._count(one, {})
-        if found < expected:
-            what = f"of {expected} equations of the loop over {one.iterators[0][0]}{self._where}"
-            yield self._difference(f"{what}, {found} remain", one.start)
 
-    def _count(self, one: Statement, iterators: Mapping[str, float]) -> int:
-        """Return the number of equations for values of the iterators around."""
-        if isinstance(one, Loop):
-            inner = points(self._instances, self._scope, one.iterators, iterators)
-            return sum(self._count(it, point) for point in inner for it in one.body)
-        if isinstance(one, Branches):
-            return sum(self._count(it, iterators) for it in self._active(one, iterators))
-        return int(isinstance(one, Equation))
+def _has_clauses(one: Statement) -> bool:
+    """Return whether a statement is a when-clause or call, or contains one."""
+    if isinstance(one, Branches):
+        return any(_has_clauses(inner) for _, body in one.branches for inner in body)
+    if isinstance(one, Loop):
+        return any(map(_has_clauses, one.body))
+    return isinstance(one, When | Call)

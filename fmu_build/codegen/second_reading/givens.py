@@ -7,8 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
+import numpy as np
+
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
 from fmu_build.codegen.second_reading.syntax import Class, Modifier, Tokens
 
+_WITHOUT_SPACES: Final = re.compile(r" ?([.()\[\]{},;:^]) ?")
 _SUBSCRIPTS: Final = re.compile(r"\[[^\[\]]*\]|\s")
 
 Mistake = tuple[str, str]
@@ -21,6 +25,14 @@ class Scope:
 
     path: str
     around: Class
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Tokens in a scope."""
+
+    scope: Scope
+    tokens: Tokens
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +53,26 @@ class Given:
     redeclares: bool = False
     place: tuple[int, ...] = ()
     is_used_up: bool = False
+
+    def chosen(self, value: Value) -> Value:
+        """Return the element of a value for this component; raises `UnknownError` if there is none."""
+        for place in self.place:
+            if value.ndim and place >= len(value):
+                raise UnknownError
+            value = as_value(value[place]) if value.ndim else value
+        return value
+
+    def spread(self, value: Value, sizes: tuple[int, ...]) -> Value:
+        """Return the value of a variable of these sizes, which a scalar fills.
+
+        Raises `UnknownError` if the value has other sizes.
+        """
+        found = self.chosen(value)
+        if not found.ndim:
+            return np.full(sizes, found)
+        if found.shape != sizes:
+            raise UnknownError
+        return found
 
 
 NOTHING: Final = Given()
@@ -118,6 +150,11 @@ def both(path: str, outer: Given | None, inner: Given | None, mistakes: list[Mis
         type_scope=outer.type_scope if outer.type else inner.type_scope,
         redeclares=outer.redeclares or inner.redeclares or is_unclear,
     )
+
+
+def as_written(tokens: Tokens) -> str:
+    """Return tokens as a text, with spaces around words and operators only."""
+    return _WITHOUT_SPACES.sub(r"\1", " ".join(tokens)).replace(",", ", ").strip()
 
 
 def plain(path: str) -> str:

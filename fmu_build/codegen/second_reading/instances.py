@@ -9,12 +9,12 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value, value_of
+from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
+from fmu_build.codegen.second_reading.gathered import gathered, indexed, sizes_of
 from fmu_build.codegen.second_reading.givens import (
-    NOTHING,
     NOWHERE,
     Given,
     Mistake,
@@ -29,6 +29,8 @@ from fmu_build.codegen.second_reading.givens import (
     plain,
 )
 from fmu_build.codegen.second_reading.invalid import repeated_classes, repeated_components, unknown_names
+from fmu_build.codegen.second_reading.lookup import Lookup
+from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError, Value, as_value, scalar
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
@@ -45,6 +47,7 @@ class Leaf:
 
     given: Given
     prefixes: frozenset[str]
+    kind: Class
     has_zero_start: bool
     """Whether its start value is zero unless it is given another one."""
     sizes: tuple[int, ...]
@@ -82,25 +85,29 @@ class _Member:
 
 @dataclass(frozen=True, slots=True)
 class _Names:
-    """What names mean in a scope with iterators."""
+    """What names mean in a scope."""
 
     instances: Instances
     scope: Scope
-    iterators: Mapping[str, float]
 
-    def value(self, name: str) -> Value:
-        return self.iterators[name] if name in self.iterators else self.instances.named(name, self.scope)
+    is_smooth: bool = False
 
-    def sizes(self, name: str) -> Sequence[int]:
-        if self.scope.path == NOWHERE or not self.instances.means_member(name, self.scope):
-            return _shape(self.instances.constant(name, self.scope))
-        path = joined(self.scope.path, name)
-        if path not in self.instances.sizes:
+    def is_random(self, reference: Chosen) -> bool:
+        return False
+
+    def value(self, reference: Chosen) -> Value:
+        return self.instances.named(reference, self.scope)
+
+    def sizes(self, reference: Chosen) -> Sequence[int]:
+        return self.instances.sizes_of(reference, self.scope)
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        raise UnknownError
+
+    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
+        if self.instances.library.is_class(name, self.scope.around):
             raise UnknownError
-        return self.instances.sizes[path]
-
-    def is_function(self, name: str) -> bool:
-        return self.instances.library.is_class(name, self.scope.around)
+        return None
 
 
 class Instances:
@@ -113,23 +120,43 @@ class Instances:
         dimensions: the expressions of all sizes, also of those that are not known, with their scopes
         absent: the paths of components whose conditions are false
         mistakes: what is invalid in the modifiers, each with the name that it is about
+        unknown: what rumoca may have lost without a trace, with the class in which it stands
+        nowhere: the scope of what the model itself is given
+        lookup: what names of classes and constants mean
     """
 
-    def __init__(self, library: Library, owner: Class, packages: dict[int, Instances] | None = None) -> None:
-        """Find the variables of a model, or the constants of a package; `packages` are those already read."""
+    def __init__(
+        self,
+        library: Library,
+        owner: Class,
+        packages: dict[int, Instances] | None = None,
+        heir: Class | None = None,
+    ) -> None:
+        """Find the variables of a model or function, or the constants of a package.
+
+        Args:
+            library: the classes
+            owner: the model, function or package
+            packages: those already read, by the identities of their classes
+            heir: the package through which a function is called
+        """
         self.leaves: dict[str, Leaf] = {}
         self.parts: dict[str, Part] = {}
         self.sizes: dict[str, tuple[int, ...]] = {}
         self.dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
         self.absent: set[str] = set()
         self.mistakes: list[Mistake] = []
+        self.unknown: list[tuple[str, Class]] = []
         self.library = library
         self._members: dict[str, set[str]] = {}
-        self._classes_given: dict[tuple[str, int], Mapping[str, Given]] = {}
         self._packages = {} if packages is None else packages
+        self.lookup = Lookup(library)
+        if heir is not None:
+            self.lookup.heirs[""] = heir
         self._evaluating: set[str] = set()
         self._outer: set[str] = set()
-        self._nowhere = nowhere(owner)
+        self._inner: set[str] = set()
+        self.nowhere = nowhere(owner)
         self._expand("", owner, {}, frozenset(), 0)
 
     def members(self, path: str) -> Set[str]:
@@ -153,59 +180,79 @@ class Instances:
         first = name.partition(".")[0].partition("[")[0]
         return first in self.library.components(scope.around) and first in self.members(scope.path)
 
-    def means_literal(self, name: str, scope: Scope) -> bool:
-        """Return whether a name means a literal of an enumeration.
-
-        Raises `UnknownError` if its meaning is not known.
-        """
-        owner, last = self.place_of_constant(name, scope)
-        return last in owner.literals
-
     def value(self, given: Given) -> Value:
         """Return the value that is given; raises `UnknownError` if it is not known."""
         if not given.value:
             raise UnknownError
-        found = self.value_of(given.value, given.scope or self._nowhere)
-        for place in given.place:
-            if isinstance(found, list):
-                if place >= len(found):
-                    raise UnknownError
-                found = found[place]
-        return found
+        return given.chosen(self.value_of(given.value, given.scope or self.nowhere))
 
     def value_of(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> Value:
         """Return the value of an expression; raises `UnknownError` if it is not known."""
-        return value_of(tokens, _Names(self, scope, iterators or {}))
+        return value_of(tokens, _Names(self, scope), iterators)
 
     def number(self, tokens: Tokens, scope: Scope, iterators: Mapping[str, float] | None = None) -> float:
         """Return the value of a scalar; raises `UnknownError` if it is not known."""
-        found = self.value_of(tokens, scope, iterators)
-        if isinstance(found, list):
-            raise UnknownError
-        return found
+        return scalar(self.value_of(tokens, scope, iterators))
 
-    def named(self, name: str, scope: Scope) -> Value:
+    def named(self, reference: Chosen, scope: Scope) -> Value:
         """Return the value of a parameter or constant; raises `UnknownError` if it is not known."""
-        if scope.path == NOWHERE or not self.means_member(name, scope):
-            return self.constant(name, scope)
-        path = joined(scope.path, name)
-        leaf = self.leaves.get(path)
-        if leaf is None or not leaf.is_constant or path in self._evaluating:
+        path = self.path_of(reference, scope)
+        if path is not None:
+            return gathered(self, path, reference, self.known)
+        return self.of_constant(reference, scope)
+
+    def known(self, path: str) -> Value:
+        """Return the value of a parameter or constant with a path; raises `UnknownError` if not known."""
+        leaf = self.leaves[path]
+        if not leaf.is_constant or not leaf.given.value or path in self._evaluating:
             raise UnknownError
         self._evaluating.add(path)
         try:
-            return self.value(leaf.given)
+            found = self.value_of(leaf.given.value, leaf.given.scope or self.nowhere)
         finally:
             self._evaluating.discard(path)
+        return leaf.given.spread(found, leaf.sizes)
+
+    def path_of(self, reference: Chosen, scope: Scope) -> str | None:
+        """Return the path of the component in which a reference begins; None if it means no variable.
+
+        It is that of the scope, or a component around with an inner component. Raises `UnknownError` if it is
+        not known.
+        """
+        name = reference[0][0]
+        if scope.path == NOWHERE:
+            return None
+        if self.means_member(name, scope):
+            return scope.path
+        if plain(joined(scope.path, name)) not in self._outer:
+            return None
+        for path in reversed(["", *around(scope.path)]):
+            if joined(path, name) in self._inner:
+                return path
+        raise UnknownError
+
+    def of_constant(self, reference: Chosen, scope: Scope) -> Value:
+        """Return the value of a constant of a package, or of elements of it."""
+        *path, (_, subscripts) = reference
+        if any(one for _, one in path):
+            raise UnknownError
+        return indexed(self.constant(".".join(name for name, _ in reference), scope), subscripts)
+
+    def sizes_of(self, reference: Chosen, scope: Scope) -> Sequence[int]:
+        """Return the sizes of an array; raises `UnknownError` if they are not known."""
+        path = self.path_of(reference, scope)
+        if path is not None:
+            return sizes_of(self, path, reference)
+        return self.of_constant(reference, scope).shape
 
     def constant(self, name: str, scope: Scope) -> Value:
         """Return the value of a constant of a package that a name means in a scope.
 
         Raises `UnknownError` if it means something else, or the value is not known.
         """
-        owner, last = self.place_of_constant(name, scope)
+        owner, last = self.lookup.constant(name, scope)
         if last in owner.literals:
-            return float(owner.literals.index(last) + 1)
+            return as_value(owner.literals.index(last) + 1)
         if owner.kind != "package":
             raise UnknownError
         if id(owner) not in self._packages:
@@ -214,52 +261,9 @@ class Instances:
         package = self._packages[id(owner)]
         if package is self:
             raise UnknownError
-        return package.named(last, Scope("", owner))
-
-    def place_of_constant(self, name: str, scope: Scope) -> tuple[Class, str]:
-        """Return the class in which a constant is, and its name there."""
-        *path, last = name.removeprefix(".").split(".")
-        if name.startswith("."):
-            return self.library.class_of(".".join(path)), last
-        if path:
-            return self._class_of(path, scope), last
-        around: Class | None = scope.around
-        while around is not None:
-            if last in self.library.components(around):
-                self._require_unchanged(around)
-                return around, last
-            for known, qualified in around.imports:
-                if known == last:
-                    return self.place_of_constant(f".{qualified}", scope)
-                if known == "*" and last in self.library.components(self.library.class_of(qualified)):
-                    return self.library.class_of(qualified), last
-            if "encapsulated" in around.prefixes:
-                break
-            around = around.around
-        raise UnknownError
-
-    def _class_of(self, names: list[str], scope: Scope) -> Class:
-        """Return the class that a qualified name means in a scope, with redeclarations of the component."""
-        first, *rest = names
-        given = self._classes_given.get((scope.path, id(scope.around)))
-        own = self.library.element(scope.around, first) if given is not None else None
-        if given is not None and first in given:
-            other = given[first]
-            if not other.type or other.type_scope is None or other.inner:
-                raise UnknownError
-            found = self._class_of(other.type.split("."), other.type_scope)
-        elif own is not None:
-            found = own
-        else:
-            found = self.library.meaning(first, scope.around)
-            if found.around is not None:
-                self._require_unchanged(found.around)
-        return self.library.within(found, rest)
-
-    def _require_unchanged(self, around: Class) -> None:
-        """Raise `UnknownError` for a package whose heirs may have other constants and classes."""
-        if id(around) in self.library.changed:
+        if last not in package.leaves:
             raise UnknownError
+        return package.known(last)
 
     def _expand(
         self, path: str, owner: Class, given: Mapping[str, Given], prefixes: frozenset[str], depth: int
@@ -275,6 +279,9 @@ class Instances:
         outer = {one.component.name for one in members if "outer" in one.component.prefixes}
         self._members[path] = names - outer if is_known else set()
         self._outer |= {plain(joined(path, name)) for name in outer}
+        self._inner |= {
+            joined(path, one.component.name) for one in members if "inner" in one.component.prefixes
+        }
         if not is_known:
             return
         with suppress(UnknownError):
@@ -289,6 +296,11 @@ class Instances:
             for member in before:
                 try:
                     self._component(path, member, prefixes, depth)
+                except ChangedError:
+                    name = joined(path, member.component.name)
+                    self.unknown.append(
+                        (f"the class of {name}, which heirs of a package change,", member.around)
+                    )
                 except UnknownError:
                     unknown.append(member)
             if len(unknown) == len(before):
@@ -304,17 +316,44 @@ class Instances:
             base = self.library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
-            inner = inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner))
+            inner = {
+                **_redeclared_classes(path, owner),
+                **inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner)),
+            }
             all_given = merged(path, all_given, inner, self.mistakes)
             inherited = list(self._components(path, base, merged(path, given, inner, self.mistakes)))
             names = {one.component.name for one in inherited}
             self.mistakes += unknown_names(self.library, path, base, inner, names)
             yield from (one for one in inherited if one.component.name not in redeclared)
-        self._classes_given[path, id(owner)] = all_given
+        self.lookup.given[path, id(owner)] = all_given
         for component in owner.components:
-            own = given_by(component.modifier, Scope(path, owner))
-            whole = both(joined(path, component.name), given.get(component.name), own, self.mistakes)
+            outer = given.get(component.name)
+            own = self._declared(path, owner, component, is_redeclared=outer is not None and bool(outer.type))
+            if "redeclare" in component.prefixes:
+                replaced = replace(self._replaced(path, owner, component.name), value=own.value)
+                own = both(joined(path, component.name), own, replaced, self.mistakes)
+            whole = both(joined(path, component.name), outer, own, self.mistakes)
             yield _Member(component, owner, whole, all_given)
+
+    def _declared(self, path: str, owner: Class, component: Component, *, is_redeclared: bool) -> Given:
+        """Return what a declaration gives; redeclarations keep its constraining clause (section 7.3.2)."""
+        own = given_by(component.modifier, Scope(path, owner))
+        if component.constraint is None:
+            return own
+        constraint = given_by(component.constraint, Scope(path, owner))
+        return (
+            constraint
+            if is_redeclared
+            else both(joined(path, component.name), own, constraint, self.mistakes)
+        )
+
+    def _replaced(self, path: str, owner: Class, name: str) -> Given:
+        """Return what the declaration of a base gives that a class redeclares as an element."""
+        for base in self.library.bases(owner):
+            around, component = self.library.components(base).get(name, (None, None))
+            if around is not None and component is not None:
+                return self._declared(path, around, component, is_redeclared=True)
+        raise UnknownError
 
     def _component(self, path: str, member: _Member, around: frozenset[str], depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""
@@ -323,14 +362,15 @@ class Instances:
         scope = Scope(path, member.around)
         if component.condition and not self.number(component.condition, scope):
             self.absent.add(name)
-        if given.redeclares or name in self.absent or component.prefixes & {"outer", "redeclare"}:
+        if given.redeclares or name in self.absent or "outer" in component.prefixes:
             return
-        kind, attributes = self._kind(member)
+        kind, attributes = self._kind(path, member)
         dimensions = [(tokens, scope) for tokens in component.dimensions]
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            attributes = both(name, attributes, given_by(modifier, Scope(NOWHERE, kind)), self.mistakes)
-            dimensions += [(tokens, Scope(NOWHERE, kind)) for tokens in kind.dimensions]
+            where = self._around(path, member.around, kind)
+            attributes = both(name, attributes, given_by(modifier, where), self.mistakes)
+            dimensions += [(tokens, where) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
         self.dimensions[name] = dimensions
         whole = both(name, given, attributes, self.mistakes)
@@ -341,8 +381,10 @@ class Instances:
         self.sizes[name] = sizes
         prefixes = component.prefixes | (around & _INHERITED)
         if kind in PREDEFINED.values() or kind.is_enumeration:
-            leaf = Leaf(whole, prefixes, not kind.is_enumeration, sizes)
+            leaf = Leaf(whole, prefixes, kind, not kind.is_enumeration, sizes)
             self._add_leaf(name, component, kind, leaf)
+        elif given.value and given.type:
+            self.unknown.append((f"the value of {name}, which a modifier redeclares,", member.around))
         elif not given.value and "expandable" not in kind.prefixes:
             if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
                 raise UnknownError
@@ -351,20 +393,58 @@ class Instances:
                 inner = {key: element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
 
-    def _kind(self, member: _Member) -> tuple[Class, Given]:
+    def _around(self, path: str, own: Class, short: Class) -> Scope:
+        """Return the scope of what a short class gives: the class around it, perhaps that of a component."""
+        around = short.around
+        if around is None:
+            raise UnknownError
+        is_own = any(one is around for one in self.library.lineage(own))
+        return Scope(path if is_own else NOWHERE, around)
+
+    def _of_default(self, path: str, member: _Member) -> Mapping[str, Given]:
+        """Return what the constraining clause of a class that is not redeclared gives."""
+        declared = self.library.declaration(member.around, member.component.type)
+        return (
+            self._constraint(path, member) if declared is not None and declared.constraint is not None else {}
+        )
+
+    def _constraint(self, path: str, member: _Member) -> Mapping[str, Given]:
+        """Return what a class gives to a component whose type it is, if that is redeclared."""
+        declared = self.library.declaration(member.around, member.component.type)
+        if declared is None:
+            raise UnknownError
+        if declared.constraint is not None:
+            return inner_of(declared.constraint, self._around(path, member.around, declared))
+        if not declared.is_short:
+            return {}
+        return inner_of(declared.bases[0][1], self._around(path, member.around, declared))
+
+    def _kind(self, path: str, member: _Member) -> tuple[Class, Given]:
         """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""
         component, given = member.component, member.given
-        if given.type:
-            if given.type_scope is None or component.is_constrained:
-                raise UnknownError
-            return self.library.meaning(given.type, given.type_scope.around), NOTHING
+        name, scope = component.type, Scope(path, member.around)
+        inner: Mapping[str, Given] = {}
         other = member.around_given.get(component.type)
-        if other is not None:
-            if not other.type or other.type_scope is None:
+        if given.type:
+            if given.type_scope is None:
                 raise UnknownError
-            return self.library.meaning(other.type, other.type_scope.around), Given(inner=other.inner)
-        own = self.library.element(member.around, component.type)
-        return own or self.library.meaning(component.type, member.around), NOTHING
+            name, scope = given.type, given.type_scope
+        elif other is not None:
+            if other.redeclares:
+                raise UnknownError
+            inner = other.inner
+            if other.type and other.type_scope is not None:
+                name, scope = other.type, other.type_scope
+                inner = merged("", inner, self._constraint(path, member), self.mistakes)
+        else:
+            inner = self._of_default(path, member)
+        *package, last = name.split(".")
+        if package and package != [""]:
+            heir = self.lookup.class_in(package, scope)
+            self.lookup.heirs[plain(joined(path, component.name))] = heir
+        is_modified = other is not None and not given.type and not other.type
+        declared = self.library.declaration(member.around, component.type) if is_modified else None
+        return declared or self.lookup.class_in([*package, last], scope), Given(inner=inner)
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
@@ -382,14 +462,10 @@ class Instances:
 
     def _size_of_value(self, given: Given, place: int) -> int:
         """Return a size that follows from the value."""
-        value = self.value(given)
-        for _ in range(place):
-            if not isinstance(value, list) or not value:
-                raise UnknownError
-            value = value[0]
-        if not isinstance(value, list):
+        shape = self.value(given).shape
+        if place >= len(shape):
             raise UnknownError
-        return len(value)
+        return int(shape[place])
 
 
 _ATTRIBUTES: Final = frozenset(
@@ -397,12 +473,14 @@ _ATTRIBUTES: Final = frozenset(
 )
 
 
-def _shape(value: Value) -> list[int]:
-    """Return the sizes of an array."""
-    found = []
-    while isinstance(value, list):
-        found.append(len(value))
-        value = value[0] if value else 0.0
+def _redeclared_classes(path: str, owner: Class) -> dict[str, Given]:
+    """Return what a class gives to classes of its bases by redeclaring them, as ``redeclare model A = B``."""
+    found = {}
+    for name, one in owner.classes.items():
+        if "redeclare" in one.prefixes and one.is_short:
+            base, modifier = one.bases[0]
+            scope = Scope(path, owner)
+            found[name] = Given(type=base, type_scope=scope, inner=inner_of(modifier, scope))
     return found
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Set
 from contextlib import suppress
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import Given, Mistake, joined
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class, Component
 

@@ -14,9 +14,9 @@ from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
 from fmu_build.codegen.second_reading.givens import nowhere
 from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import UnknownError, Value
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -101,9 +101,7 @@ def is_iterator(model: LoweredModel, around: Class, name: str) -> bool:
 
 def is_one_of(value: float, meant: Value) -> bool:
     """Return whether a number is a value, or in an array of values."""
-    if isinstance(meant, list):
-        return any(is_one_of(value, one) for one in meant)
-    return math.isclose(meant, value, rel_tol=_ROUNDING)
+    return any(math.isclose(one, value, rel_tol=_ROUNDING) for one in meant.flat)
 
 
 def _literal(

@@ -6,9 +6,9 @@ import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import Scope, joined
 from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.syntax import Tokens
 
 

@@ -9,7 +9,7 @@ from contextlib import suppress
 from functools import cached_property
 from typing import Final
 
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
+from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
 from fmu_build.codegen.second_reading.syntax import Class, Component, read_classes
 
 PREDEFINED: Final = {
@@ -22,15 +22,18 @@ class NotFoundError(UnknownError):
 
 
 class Library:
-    """All classes of some source texts."""
+    """All classes of some source texts; `unread` says why the files with these numbers cannot be read."""
 
     def __init__(self, texts: Mapping[int, str]) -> None:
-        """Read the classes in texts, given by the numbers of their files.
-
-        Raises `SyntaxError` if a class cannot be read.
-        """
+        """Read the classes in texts, given by the numbers of their files."""
+        self.unread: dict[int, str] = {}
         self._root = Class("", "package", None)
-        found = [one for number, text in texts.items() for one in read_classes(text, number)]
+        found: list[tuple[str, Class]] = []
+        for number, text in texts.items():
+            try:
+                found += read_classes(text, number)
+            except SyntaxError as error:
+                self.unread[number] = str(error)
         for within, one in sorted(found, key=lambda pair: pair[0].count(".") + bool(pair[0])):
             around = self._root
             for part in filter(None, within.split(".")):
@@ -90,6 +93,24 @@ class Library:
         first, *rest = name.split(".")
         return self.within(self._first(first, scope), rest)
 
+    def default(self, name: str, scope: Class) -> Class:
+        """Return the class that a name means in a class if nothing is redeclared.
+
+        Raises `UnknownError` if it is not known.
+        """
+        first, *rest = name.split(".")
+        around: Class | None = scope
+        while around is not None:
+            found = self.declaration(around, first)
+            if found is not None:
+                for part in rest:
+                    found = self.declaration(found, part)
+                    if found is None:
+                        raise UnknownError
+                return found
+            around = around.around
+        return self.meaning(name, scope)
+
     def _first(self, name: str, scope: Class, *, inherited: bool = True) -> Class:
         found: Class | None = None
         around: Class | None = scope
@@ -109,12 +130,26 @@ class Library:
             found = _certain(self.element(found, name))
         return found
 
+    def declaration(self, owner: Class, name: str) -> Class | None:
+        """Return the class that a class or a base of it declares, whatever modifiers make of it."""
+        for one in self.lineage(owner):
+            if name in one.classes:
+                return one.classes[name]
+        return None
+
     def element(self, owner: Class, name: str) -> Class | None:
-        """Return the class that a class or a base of it declares, even if it is replaceable."""
+        """Return the class that a class or a base of it declares, even if it is replaceable.
+
+        Raises:
+            ChangedError: a base has modifiers for this class
+            UnknownError: a base is not known
+        """
         if name in owner.classes:
             return owner.classes[name]
-        for base in self.bases(owner):
-            found = self.element(base, name)
+        for base, modifier in owner.bases:
+            found = self.element(self.base(owner, base), name)
+            if found is not None and name in modifier.inner:
+                raise ChangedError
             if found is not None:
                 return found
         return None
@@ -147,15 +182,18 @@ class Library:
         return True
 
     @cached_property
-    def changed(self) -> Set[int]:
-        """The classes that others inherit with other values: what is in them depends on the heir."""
-        found: set[int] = set()
+    def changed(self) -> Mapping[int, Set[str]]:
+        """The classes that others inherit with other values, with the names of these; "*" for any."""
+        found: dict[int, set[str]] = defaultdict(set)
         for heir in self.classes():
-            redeclares = any("redeclare" in one.prefixes for one in heir.components)
+            redeclared = {one.name for one in heir.components if "redeclare" in one.prefixes}
+            redeclared |= {name for name, one in heir.classes.items() if "redeclare" in one.prefixes}
+            unknown = set() if heir.is_certain else {"*"}
             for name, modifier in heir.bases:
-                if modifier.inner or redeclares or not heir.is_certain:
-                    with suppress(UnknownError):
-                        found |= {id(one) for one in self.lineage(self.base(heir, name))}
+                names = modifier.inner.keys() | redeclared | unknown
+                with suppress(UnknownError):
+                    for one in self.lineage(self.base(heir, name)) if names else ():
+                        found[id(one)] |= names
         return found
 
     def lineage(self, owner: Class) -> Iterator[Class]:

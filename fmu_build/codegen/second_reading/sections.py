@@ -9,13 +9,15 @@ from typing import Final, TypeAlias
 from fmu_build.codegen.second_reading.syntax import Section, Tokens
 
 _OPENING: Final = {"(": ")", "[": "]", "{": "}"}
+_ENDS: Final = frozenset(("elseif", "elsewhen", "else", "end"))
 
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """A plain equation, between two offsets into its file."""
+    """A plain equation, or an assignment, between two offsets into its file."""
 
-    tokens: Tokens
+    left: Tokens
+    right: Tokens
     start: int
     end: int
 
@@ -34,6 +36,8 @@ class Branches:
     """An if-equation: conditions with equations; the condition of ``else`` is empty."""
 
     branches: tuple[tuple[Tokens, tuple[Statement, ...]], ...]
+    start: int
+    end: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,21 +47,33 @@ class Loop:
     iterators: tuple[tuple[str, Tokens], ...]
     body: tuple[Statement, ...]
     start: int
+    end: int
 
 
 @dataclass(frozen=True, slots=True)
 class When:
-    """A when-clause, between two offsets into its file."""
+    """A when-clause: conditions with equations or statements."""
 
+    branches: tuple[tuple[Tokens, tuple[Statement, ...]], ...]
     start: int
     end: int
 
 
-Statement: TypeAlias = "Equation | Connection | Branches | Loop | When"
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A call that is an equation or statement, as ``assert()``, between two offsets into its file."""
+
+    name: str
+    arguments: tuple[Tokens, ...]
+    start: int
+    end: int
+
+
+Statement: TypeAlias = "Equation | Connection | Branches | Loop | When | Call"
 
 
 def statements(section: Section) -> tuple[Statement, ...]:
-    """Return the equations of a section without its calls.
+    """Return the equations or statements of a section.
 
     Raises `SyntaxError` if one is not understood.
     """
@@ -82,23 +98,26 @@ class _Reader:
         """Yield the equations up to one of these words."""
         while self.here and self.here not in ends:
             if self.here == "if":
-                yield self._branches()
+                yield Branches(*self._branches())
             elif self.here == "for":
                 yield self._loop()
             elif self.here == "when":
-                yield self._when()
+                yield When(*self._branches())
             else:
-                yield from self._plain()
+                plain = self._plain()
+                if plain is not None:
+                    yield plain
             self._take_if(";")
 
-    def _branches(self) -> Branches:
+    def _branches(self) -> tuple[tuple[tuple[Tokens, tuple[Statement, ...]], ...], int, int]:
         found = []
+        start = self._section.places[self._place]
         while self.here != "end":
             condition = self._condition() if self._take() != "else" else ()
             self._take_if("then")
-            found.append((condition, tuple(self.statements(frozenset(("elseif", "else", "end"))))))
+            found.append((condition, tuple(self.statements(_ENDS))))
         self._until(";")
-        return Branches(tuple(found))
+        return tuple(found), start, self._section.places[self._place]
 
     def _condition(self) -> Tokens:
         """The tokens up to the ``then`` of the equation, with those of if-expressions."""
@@ -120,16 +139,9 @@ class _Reader:
             iterators.append((name, self._until("loop", ",")))
         body = tuple(self.statements(frozenset(("end",))))
         self._until(";")
-        return Loop(tuple(iterators), body, start)
+        return Loop(tuple(iterators), body, start, self._section.places[self._place])
 
-    def _when(self) -> When:
-        start = self._section.places[self._place]
-        while self._take() != "end" or self.here != "when":
-            self._until("end")
-        self._until(";")
-        return When(start, self._section.places[self._place])
-
-    def _plain(self) -> Iterator[Equation | Connection]:
+    def _plain(self) -> Equation | Connection | Call | None:
         first = self._place
         tokens = self._until(";")
         places = self._section.places
@@ -139,9 +151,19 @@ class _Reader:
             self._take()
             other = self._until(")")
             self._until(";")
-            yield Connection(one, other, places[first])
-        elif "=" in _outermost(tokens):
-            yield Equation(tokens, places[first], places[self._place])
+            return Connection(one, other, places[first])
+        end = places[self._place]
+        place = next((one for one in _outermost(tokens) if tokens[one] in ("=", ":=")), None)
+        if place is not None:
+            return Equation(tokens[:place], tokens[place + 1 :], places[first], end)
+        if not tokens or tokens[0] == "annotation":
+            return None
+        if tokens == ("return",):
+            return Call("return", (), places[first], end)
+        if "(" not in tokens:
+            raise SyntaxError(f"an equation is expected, not {tokens[0]}")
+        opening = tokens.index("(")
+        return Call("".join(tokens[:opening]), _arguments(tokens[opening + 1 : -1]), places[first], end)
 
     def _until(self, *ends: str) -> Tokens:
         """Take the tokens up to one of these outside of brackets."""
@@ -166,10 +188,17 @@ class _Reader:
         return self._section.tokens[self._place - 1]
 
 
-def _outermost(tokens: Tokens) -> Iterator[str]:
-    """Yield the tokens outside of brackets."""
+def _arguments(tokens: Tokens) -> tuple[Tokens, ...]:
+    """Return the arguments between commas."""
+    commas = [place for place in _outermost(tokens) if tokens[place] == ","]
+    starts = [0, *(place + 1 for place in commas)]
+    return tuple(tokens[a:b] for a, b in zip(starts, [*commas, len(tokens)], strict=True))
+
+
+def _outermost(tokens: Tokens) -> Iterator[int]:
+    """Yield the places of the tokens outside of brackets."""
     depth = 0
-    for token in tokens:
+    for place, token in enumerate(tokens):
         depth += (token in _OPENING) - (token in _OPENING.values())
         if not depth:
-            yield token
+            yield place

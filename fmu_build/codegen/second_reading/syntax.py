@@ -57,7 +57,11 @@ class Modifier:
 
 @dataclass(frozen=True, slots=True)
 class Component:
-    """A component as declared; `dimensions` are the subscripts of its type and its name, outermost first."""
+    """A component as declared.
+
+    `dimensions` are the subscripts of its type and its name, outermost first; `constraint` is what its
+    constraining clause gives, None if it has no such clause.
+    """
 
     name: str
     type: str
@@ -65,16 +69,21 @@ class Component:
     prefixes: frozenset[str]
     modifier: Modifier
     condition: Tokens = ()
-    is_constrained: bool = False
+    constraint: Modifier | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """A section of equations; `places` are the offsets of the tokens, with the end of the last one."""
+    """Equations or an algorithm; `places` are the offsets of the tokens, with the end of the last one."""
 
     tokens: Tokens
     places: tuple[int, ...]
     is_initial: bool
+
+    def between(self, start: int, end: int) -> Tokens:
+        """Return the tokens between two offsets."""
+        pairs = zip(self.tokens, self.places, strict=False)
+        return tuple(token for token, place in pairs if start <= place < end)
 
 
 @dataclass(slots=True)
@@ -86,6 +95,7 @@ class Class:
         bases: names of base classes with their modifiers; for a short class, the class that it stands for
         dimensions: subscripts of the class for which a short class stands
         imports: qualified names by the name under which they are known; "*" for unqualified imports
+        constraint: what its constraining clause gives, None if it has no such clause
         is_certain: whether all its elements were understood
     """
 
@@ -99,7 +109,9 @@ class Class:
     imports: list[tuple[str, str]] = field(default_factory=list)
     dimensions: tuple[Tokens, ...] = ()
     sections: list[Section] = field(default_factory=list)
+    algorithms: list[Section] = field(default_factory=list)
     literals: tuple[str, ...] = ()
+    constraint: Modifier | None = None
     tokens: Tokens = field(default=(), repr=False)
     file: int = 0
     start: int = 0
@@ -216,6 +228,7 @@ class _Parser:
             self._short(found)
         else:
             self._composition(found)
+        found.constraint = self._constraint()
         found.tokens = tuple(self._tokens[first : self._place])
         found.start, found.end = self._places[first], self._places[self._place]
         return found
@@ -263,13 +276,16 @@ class _Parser:
 
     def _section(self, owner: Class) -> None:
         is_initial = self.take_if("initial")
-        is_of_equations = self.take() == "equation"
+        kind = self.take()
         first = self._place
         while not self._is_next_section() and (self.here, self.ahead(1)) != ("end", owner.name):
             self._balanced()
-        if is_of_equations:
-            tokens, places = self._tokens[first : self._place], self._places[first : self._place + 1]
-            owner.sections.append(Section(tuple(tokens), tuple(places), is_initial))
+        tokens, places = self._tokens[first : self._place], self._places[first : self._place + 1]
+        section = Section(tuple(tokens), tuple(places), is_initial)
+        if kind == "equation":
+            owner.sections.append(section)
+        elif kind == "algorithm":
+            owner.algorithms.append(section)
 
     def _is_next_section(self) -> bool:
         is_call = self.here == "initial" and self.ahead(1) == "("
@@ -287,7 +303,8 @@ class _Parser:
             if inner is not None:
                 owner.classes[inner.name] = inner
                 # Functions change neither variables nor equations of the class.
-                is_certain = "redeclare" not in prefixes and inner.is_certain
+                is_short = inner.is_short and not inner.dimensions and not inner.is_enumeration
+                is_certain = ("redeclare" not in prefixes or is_short) and inner.is_certain
                 owner.is_certain &= inner.kind == "function" or is_certain
             else:
                 self._components(owner, prefixes)
@@ -316,17 +333,22 @@ class _Parser:
             value = self._expression() if self.take_if("=") or self.take_if(":=") else ()
             condition = self._expression() if self.take_if("if") else ()
             modifier = Modifier(value, inner, final="final" in prefixes)
-            is_constrained = False
+            constraint = self._constraint()
             while self.here not in (",", ";"):
-                if self._balanced() == ("constrainedby",):
-                    self.name()
-                    # With a constraining clause, a redeclaration drops the modifiers of the declaration.
-                    is_constrained = self.here == "(" or bool(inner or value)
+                self._balanced()
+                constraint = constraint or self._constraint()
             owner.components.append(
-                Component(name, kind, own + common, prefixes, modifier, condition, is_constrained)
+                Component(name, kind, own + common, prefixes, modifier, condition, constraint)
             )
             if not self.take_if(","):
                 return
+
+    def _constraint(self) -> Modifier | None:
+        """What a constraining clause gives, if it follows."""
+        if not self.take_if("constrainedby"):
+            return None
+        self.name()
+        return Modifier(inner=self._arguments() if self.here == "(" else {})
 
     def _subscripts(self) -> tuple[Tokens, ...]:
         if not self.take_if("["):

@@ -1,25 +1,25 @@
 """Compare the values of variables and the equations in declarations with those of the source.
 
-Numbers must be equal. An equation in a declaration must be the text that the source gives, and its names
-must mean variables of the component in which it stands. Values of parameters that are not numbers are not
-compared, because rumoca replaces names in them by their values.
+Both sides must have the same values at random points, and numbers must be equal. Of an equation that cannot
+be computed, the text must be the one that the source gives, and its names must mean variables of the
+component in which it stands.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from typing import Any, Final
 
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
-from fmu_build.codegen.second_reading.arithmetic import UnknownError, Value
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
-from fmu_build.codegen.second_reading.givens import Given
-from fmu_build.codegen.second_reading.inlined import mistaken_constants
+from fmu_build.codegen.second_reading.givens import Given, Text, as_written
 from fmu_build.codegen.second_reading.instances import Instances, Leaf
+from fmu_build.codegen.second_reading.operations import UnknownError
+from fmu_build.codegen.second_reading.residuals import value_differs
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 
 _ROUNDING: Final = 1e-9
@@ -27,15 +27,21 @@ _ZERO: Final = Given(("0",))
 _ATTRIBUTES: Final = {"start": "start", "min": "minimum", "max": "maximum", "nominal": "nominal"}
 
 
-def mistaken_values(model: LoweredModel, instances: Instances) -> Iterator[tuple[str, Span]]:
-    """Yield variables with another value, attribute or equation, and where they are declared."""
+def mistaken_values(
+    model: LoweredModel, instances: Instances, unknown: list[Text]
+) -> Iterator[tuple[str, Span]]:
+    """Yield variables with another value, attribute or equation, and where they are declared.
+
+    The texts of equations that cannot be computed are added to `unknown`.
+    """
     for variable in model.dae["variables"]:
         name = variable["name"]
         leaf = instances.leaves.get(name)
         if leaf is not None:
             for difference in (
                 *_differences(instances, leaf, variable),
-                *_in_equation(model, instances, name),
+                *_in_attributes(model, instances, name, unknown),
+                *_in_equation(model, instances, name, unknown),
             ):
                 why = f"the compiler has lost or misplaced a modifier of {name}, or of another variable"
                 yield f"{difference}: {why} with this name", variable["declaration"]["span"]
@@ -54,7 +60,7 @@ def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> 
     for what, given, place in compared:
         found = attributes[f"{place}_values"]
         with suppress(UnknownError):
-            meant = _flat(instances.value(given))
+            meant = [*instances.value(given).flat]
             if found and len(meant) in (1, len(found)):
                 pairs = zip(found, meant if len(meant) > 1 else meant * len(found), strict=True)
                 yield from (
@@ -64,29 +70,66 @@ def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> 
                 )
 
 
-def _flat(value: Value) -> list[float]:
-    return [one for element in value for one in _flat(element)] if isinstance(value, list) else [value]
+def _in_attributes(
+    model: LoweredModel, instances: Instances, name: str, unknown: list[Text]
+) -> Iterator[str]:
+    """Yield the attributes of a variable with other values."""
+    leaf, flat = instances.leaves[name], model.flat["variables"].get(name, {})
+    for attribute in _ATTRIBUTES:
+        given, tree = leaf.given.inner.get(attribute), flat.get(attribute)
+        if (
+            given is None
+            or not given.value
+            or (attribute == "start" and leaf.is_constant and leaf.given.value)
+        ):
+            continue
+        if tree is None:
+            yield f"the {attribute} value {as_written(given.value)} is lost"
+            continue
+        try:
+            if value_differs(model, instances, given, leaf.sizes, tree):
+                yield f"the {attribute} value {as_written(given.value)} has become another one"
+        except UnknownError:
+            if given.scope is not None:
+                unknown.append(Text(given.scope, given.value))
 
 
-def _in_equation(model: LoweredModel, instances: Instances, name: str) -> Iterator[str]:
+def _in_equation(model: LoweredModel, instances: Instances, name: str, unknown: list[Text]) -> Iterator[str]:
     """Yield what is wrong with the equation in the declaration of a variable."""
     leaf, flat = instances.leaves[name], model.flat["variables"].get(name)
-    if leaf.is_constant or flat is None:
+    if flat is None:
         return
     given, binding = leaf.given, flat.get("binding")
-    if binding is None and given.value:
-        yield f"the equation {' '.join(given.value)} is lost"
-    elif binding is not None and not given.value:
-        yield "there is an equation that the source does not give"
-    elif binding is not None:
-        ((_, content),) = binding.items()
-        text = model.text(content["span"])
-        if not _contains(given.value, tuple(TOKEN.findall(blanked(text)))):
-            yield f"the equation is {text} instead of {' '.join(given.value)}"
+    if binding is None or not given.value:
+        if binding is not None and not leaf.is_constant:
+            yield "there is an equation that the source does not give"
+        elif given.value and not leaf.is_constant:
+            yield f"the equation {as_written(given.value)} is lost"
+        return
+    try:
+        differs = value_differs(model, instances, given, leaf.sizes, binding)
+    except UnknownError:
         if given.scope is not None:
-            yield from mistaken_names(model, instances, given.scope, binding)
-            yield from mistaken_numbers(model, instances, given.scope, binding)
-            yield from mistaken_constants(instances, given.scope, given.value, binding)
+            unknown.append(Text(given.scope, given.value))
+        if not leaf.is_constant:
+            yield from _in_text(model, instances, given, binding)
+        return
+    if differs:
+        specific = [*_in_text(model, instances, given, binding)]
+        yield from specific or [f"the equation {as_written(given.value)} has become another one"]
+
+
+def _in_text(
+    model: LoweredModel, instances: Instances, given: Given, binding: Mapping[str, Any]
+) -> Iterator[str]:
+    """Yield how the text of an equation and its names differ from what is given."""
+    ((_, content),) = binding.items()
+    text = model.text(content["span"])
+    if not _contains(given.value, tuple(TOKEN.findall(blanked(text)))):
+        yield f"the equation is {text} instead of {as_written(given.value)}"
+    if given.scope is not None:
+        yield from mistaken_names(model, instances, given.scope, binding)
+        yield from mistaken_numbers(model, instances, given.scope, binding)
 
 
 def _contains(whole: Tokens, part: Tokens) -> bool:

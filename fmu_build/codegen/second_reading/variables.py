@@ -8,9 +8,9 @@ from contextlib import suppress
 from typing import Final
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.arithmetic import UnknownError
 from fmu_build.codegen.second_reading.givens import NOTHING, Scope, joined, plain
 from fmu_build.codegen.second_reading.instances import Instances, around
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.syntax import Tokens
 
 _DEEPEST: Final = 50

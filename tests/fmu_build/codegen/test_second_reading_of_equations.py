@@ -22,6 +22,7 @@ from fmu_build.codegen.second_reading.check import reject_other_values
 from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
+from fmu_build.codegen.second_reading.function_bodies import mistaken_functions
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.packages import mistaken_packages
 from fmu_build.codegen.second_reading.scopes import Library
@@ -163,10 +164,11 @@ class _Reading:
 
     def differences(self, change: Callable[[dict[str, Any]], object]) -> Iterator[object]:
         changed = replace(self.model, flat=self.changed(change))
-        yield from mistaken_equations(changed, self._instances)
+        yield from mistaken_equations(changed, self._instances, [])
         yield from mistaken_connections(changed, self._connections)
-        yield from mistaken_clauses(changed, self._instances)
+        yield from mistaken_clauses(changed, self._instances, [])
         yield from mistaken_packages(changed, self._library, self._instances)
+        yield from mistaken_functions(changed, self._library, [], [])
 
     def finds(self, change: Callable[[dict[str, Any]], object] = lambda _: None) -> bool:
         """Whether there is a difference."""
@@ -275,26 +277,6 @@ def test_connected_potentials(reading: _Reading) -> None:
             flat["equations"][place]["residual"]["Binary"]["lhs"]["VarRef"]["name"]["name"] = "capacitor.u"
 
         assert reading.finds(change), reading.flat["equations"][place]["origin"]
-
-
-def test_other_branches(reading: _Reading) -> None:
-    """An equation of a branch that does not hold is found."""
-    start, length = _SOURCE.index("der(sum2) = 0"), len("der(sum2)")
-    derivatives = [
-        place
-        for place, reference in enumerate(_references(reading.flat))
-        if reference["name"]["name"].endswith("sum2")
-    ]
-    assert len(derivatives) == 3
-    for place in derivatives:
-
-        def change(flat: dict[str, Any], place: int = place) -> None:
-            reference = [*_references(flat)][place]
-            others = (one for one in flat["equations"] if reference in [*expressions(one, "VarRef")])
-            for span in expressions(next(others)["residual"], "span"):
-                span |= {"start": start, "end": start + length}
-
-        assert any("is lost" in str(one) for one in reading.differences(change))
 
 
 def test_lost_clauses(reading: _Reading) -> None:

@@ -66,27 +66,23 @@ def test_what_is_kept_and_what_is_dropped(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("declaration", "message"),
     [
-        ("ConstrainedComponent a(redeclare B c);", "gives to g would be kept"),
-        ("ConstrainedComponent a(redeclare B c(f = 1));", "gives to g would be kept"),
-        ("Class a(redeclare model X = B);", "gives to g would be lost"),
-        ("extends Class(redeclare model X = B);", "gives to g would be lost"),
-        ("extends Class; redeclare model X = B;", "gives to g would be lost"),
-        ("extends Component; redeclare B h;", "gives to g would be lost"),
-        ("extends Component; redeclare replaceable B h(f = 1);", "gives to g would be lost"),
-        (
-            "Inner a(c(redeclare B h(g = 3)));",
-            "the redeclaration of h in the modifier of another component is lost",
-        ),
-        ("extends Inner(c(redeclare B h(g = 3)));", "the redeclaration of h .* is lost"),
+        ("ConstrainedComponent a(redeclare B c);", r"5 instead of 1: .* a\.c\.g"),
+        ("ConstrainedComponent a(redeclare B c(f = 1));", r"5 instead of 1: .* a\.c\.g"),
+        ("Class a(redeclare model X = B);", r"1 instead of 5: .* a\.h\.g"),
+        ("extends Class(redeclare model X = B);", r"1 instead of 5: .* h\.g"),
+        ("extends Class; redeclare model X = B;", r"1 instead of 5: .* h\.g"),
+        ("extends Component; redeclare B h;", r"1 instead of 5: .* h\.g"),
+        ("extends Component; redeclare replaceable B h(f = 1);", r"1 instead of 5: .* h\.g"),
+        ("Inner a(c(redeclare B h(g = 3)));", r"5 instead of 3: .* a\.c\.h\.g"),
+        ("extends Inner(c(redeclare B h(g = 3)));", r"the variable c\.h\.w is lost"),
         (
             "Inner i(c(h(g = 2))); Inner j[2](c(redeclare replaceable B h));",
-            "the redeclaration of h .* is lost",
+            r"the variable j\[1\]\.c\.h\.w is lost",
         ),
     ],
 )
 def test_what_the_compiler_would_get_wrong_is_refused(tmp_path: Path, declaration: str, message: str) -> None:
-    refusal = PACKAGE.refusal(tmp_path, declaration, message)
-    assert refusal.startswith(f"{tmp_path / 'R.mo'}:30:")
+    PACKAGE.refusal(tmp_path, declaration, message)
 
 
 @pytest.mark.parametrize(

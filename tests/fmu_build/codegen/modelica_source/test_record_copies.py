@@ -170,12 +170,12 @@ def test_texts_without_records_stay_as_they_are() -> None:
         (
             "model D replaceable parameter A g; end D; "
             "model M parameter A q; D d(redeclare parameter A g = q); end M;",
-            "the value of a component that is redeclared inside a modifier is lost",
+            "the value of d.g, which a modifier redeclares, cannot be checked",
         ),
         (
             "model D replaceable parameter Real k = 3; end D; "
             "model M D d(redeclare parameter Real k(min = 0, max(y = 2)) = 5); end M;",
-            "the value of a component that is redeclared inside a modifier is lost",
+            "the value is 3 instead of 5",
         ),
     ],
 )

@@ -5,9 +5,9 @@ model ArraysInExtends "What d is given for its own p is lost"
   model Pair
     S s[2];
   end Pair;
-  model D // here
+  model D
     extends Pair(s(p={8, 9}));
-    parameter Real p = 3;
+    parameter Real p = 3; // here
   end D;
   D d(p=7);
 end ArraysInExtends;

@@ -4,10 +4,10 @@ package ChangedConstants "A medium and one that differs from it by a constant, i
     constant Real weight = 9.81*density;
   end Water;
   package Brine
-    extends Water(density = 1200); // here
+    extends Water(density = 1200);
   end Brine;
   model Columns
-    Real p = Water.weight*time;
+    Real p = Water.weight*time; // here
     Real q = Brine.weight*time;
   end Columns;
 end ChangedConstants;

@@ -8,7 +8,7 @@ package ChangedFunction "A law and one that redeclares its function: each is use
     end force;
   end Linear;
   package Stiff
-    extends Linear; // here
+    extends Linear;
     redeclare function force
       input Real x;
       output Real f;
@@ -22,6 +22,6 @@ package ChangedFunction "A law and one that redeclares its function: each is use
   end Spring;
   model Pair
     Spring soft;
-    Spring stiff(redeclare package Law = Stiff);
+    Spring stiff(redeclare package Law = Stiff); // here
   end Pair;
 end ChangedFunction;

@@ -1,6 +1,6 @@
 model LeakingStart "The temperature of the body would also be that of the rod in it"
   model Rod
-    Real T(start=1, fixed=true);
+    Real T(start=1, fixed=true); // here
   equation
     der(T) = 0;
   end Rod;
@@ -13,5 +13,5 @@ model LeakingStart "The temperature of the body would also be that of the rod in
   model Room
     Body body;
   end Room;
-  extends Room(body(T(start=400))); // here
+  extends Room(body(T(start=400)));
 end LeakingStart;

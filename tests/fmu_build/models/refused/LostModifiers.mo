@@ -1,6 +1,6 @@
 model LostModifiers "Modifiers of a class that is redeclared in a modifier"
   model Part
-    parameter Real k = 1;
+    parameter Real k = 1; // here
     Real y;
   equation
     y = k*time;
@@ -9,5 +9,5 @@ model LostModifiers "Modifiers of a class that is redeclared in a modifier"
     replaceable model Kind = Part;
     Kind part;
   end Whole;
-  Whole whole(redeclare model Kind = Part(k=4)); // here
+  Whole whole(redeclare model Kind = Part(k=4));
 end LostModifiers;

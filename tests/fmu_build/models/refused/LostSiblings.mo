@@ -1,7 +1,7 @@
 model LostSiblings "An extended class gives a value beside one that is modified two components deep"
   model Spring
     parameter Real k = 1;
-    parameter Real x = 0;
+    parameter Real x = 0; // here
     Real f = k*x;
   end Spring;
   model Assembly
@@ -13,5 +13,5 @@ model LostSiblings "An extended class gives a value beside one that is modified 
   model Between
     extends Device;
   end Between;
-  extends Between(assembly(spring(k = 9))); // here
+  extends Between(assembly(spring(k = 9)));
 end LostSiblings;

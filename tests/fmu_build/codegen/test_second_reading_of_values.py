@@ -1,0 +1,197 @@
+"""What a second reading of the source computes: expressions, and constants that heirs of a package change."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from fmu_build import UnsupportedModelError
+from fmu_build.codegen.modelica_source.text import blanked
+from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
+from fmu_build.codegen.second_reading.gathered import indexed
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
+from fmu_build.codegen.second_reading.syntax import TOKEN
+from fmu_build.compilers.rumoca import generate_model
+from fmu_build.support.request import BuildRequest
+from tests.fmu_build.package_under_test import PackageUnderTest
+
+_VARIABLES = {"x": 2.0, "y": -3.0, "v": [1.0, 2.0, 3.0], "m": [[1.0, 2.0], [3.0, 4.0]]}
+
+
+class _Names:
+    """Some variables, all of which are random."""
+
+    def __init__(self, *, is_smooth: bool) -> None:
+        self.is_smooth = is_smooth
+
+    def is_random(self, reference: Chosen) -> bool:
+        return reference[0][0] in _VARIABLES
+
+    def value(self, reference: Chosen) -> Value:
+        ((name, subscripts),) = reference
+        if name not in _VARIABLES:
+            raise UnknownError
+        return indexed(as_value(_VARIABLES[name]), subscripts)
+
+    def sizes(self, reference: Chosen) -> Sequence[int]:
+        return self.value(reference).shape
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        return 10 * self.value(reference) if operator == "der" else self.value(reference)
+
+    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
+        return as_value(sum([*arguments, *named.values()])) if name == "f" else None
+
+
+def _value(text: str, *, is_smooth: bool = False) -> object:
+    return value_of(tuple(TOKEN.findall(blanked(text))), _Names(is_smooth=is_smooth)).tolist()
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("-2^2*3", -12.0),
+        ("1 - 2 - 3", -4.0),
+        ("12/2/3", 2.0),
+        ("2 + 3*x^2", 14.0),
+        ("if x > 1 and not y > 0 or false then 4 elseif true then 5 else 6", 4.0),
+        ("v*v", 14.0),
+        ("m*{1, 2}", [5.0, 11.0]),
+        ("{1, 2}*m", [7.0, 10.0]),
+        ("m*m", [[7.0, 10.0], [15.0, 22.0]]),
+        ("m .* m", [[1.0, 4.0], [9.0, 16.0]]),
+        ("v .+ 1", [2.0, 3.0, 4.0]),
+        ("v[2:end]", [2.0, 3.0]),
+        ("m[end, :]", [3.0, 4.0]),
+        ("m[:, {2, 1}]", [[2.0, 1.0], [4.0, 3.0]]),
+        ("[v[1:2], v[2:3]; 7, 8]", [[1.0, 2.0], [2.0, 3.0], [7.0, 8.0]]),
+        ("sum(i^2 for i in 1:3)", 14.0),
+        ("{i + 10*j for i in 1:2, j in 1:3}", [[11.0, 12.0], [21.0, 22.0], [31.0, 32.0]]),
+        ("max(v) + min(x, y)", 0.0),
+        ("cat(1, v, {4})", [1.0, 2.0, 3.0, 4.0]),
+        ("transpose(m)", [[1.0, 3.0], [2.0, 4.0]]),
+        ("cross({1, 0, 0}, {0, 1, 0})", [0.0, 0.0, 1.0]),
+        ("size(m, 2) + size(v, 1)", 5.0),
+        ("mod(-7, 3) + rem(-7, 3) + div(-7, 3)", -1.0),
+        ("der(x) + pre(y)", 17.0),
+        ("f(1, b = x)", 3.0),
+        ("1:2:7", [1.0, 3.0, 5.0, 7.0]),
+        ("smooth(0, noEvent(x))", 2.0),
+        ("homotopy(simplified = 1, actual = x)", 2.0),
+        ("z", None),
+        ("v + 1", None),
+        ("v[4]", None),
+        ('"a" == "b"', None),
+    ],
+)
+def test_expressions(text: str, value: object) -> None:
+    """By the rules of Modelica 3.6, chapters 3 and 10; None is unknown."""
+    if value is None:
+        with pytest.raises(UnknownError):
+            _value(text)
+    else:
+        assert _value(text) == value
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "agree"),
+    [
+        ("if x > 5 then 1 else 2", "if x > 6 then 1 else 2", False),
+        ("if x > 5 then 1 else 2", "if x > 5 then 1 else 3", False),
+        ("if x > 5 then 1 else 2", "if not x <= 5 then 1 else 2", True),
+        ("if x > 5 and y > 1 then 1 else 2", "if y > 1 and 5 < x then 1 else 2", True),
+        ("if true then x else y", "x", True),
+        ("floor(x/100)", "floor(x/200)", False),
+        ("min(x, 50)", "min(x, 60)", False),
+        ("min(x, 50)", "min(50, x)", True),
+    ],
+)
+def test_branches_that_do_not_hold(one: str, other: str, agree: bool) -> None:
+    """At a smooth point, expressions differ if they can differ at all."""
+    first, second = (_value(text, is_smooth=True) for text in (one, other))
+    assert isinstance(first, float)
+    assert isinstance(second, float)
+    assert math.isclose(first, second) == agree
+
+
+#: Of B, k is 1.5 and c is 3; rumoca takes 7 and 14 in components.
+_HEIRS = """
+package Base constant Real k=7; constant Real c=2*k; constant Integer n=3; constant Integer m=n+1;
+  constant Real w[2]={{k, 3*k}}; constant Real u[2]={{1, 2}}; constant String s="a"; end Base;
+package B extends Base(k=1.5, n=1, u={{2, 1}}, s="b"); end B;
+function f input Real x; output Real y; algorithm y:=x; end f;
+model C {} end C;
+model M C b; end M;
+"""
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "Real y; equation y=B.c;",
+        "Real y; equation y=B.c+5-3;",
+        "Real y; equation y=3*B.c;",
+        "Real y; equation y=sin(B.c);",
+        "Real y; equation y=f(B.c);",
+        "Real y; equation y=if time<2 then B.c else 0;",
+        "Real y; equation y=if time>B.c then 1 else 2;",
+        "Real y; equation y=sum({B.c, 1});",
+        "Real y; equation y=B.w[2];",
+        "Real y; equation y=B.u[1];",
+        "Real y; equation y=if B.m==2 then 1 else 2;",
+        'Real y; equation if B.s=="b" then y=2; else y=1; end if;',
+        'Real y; equation y=if B.s=="b" then 2 else 1;',
+        "Real y; equation if time<2 then y=B.c; else y=0; end if;",
+        "Real v[2]; equation for i in 1:2 loop v[i]=i*B.c; end for;",
+        "Real y; algorithm y:=B.c;",
+        "discrete Real y(start=0, fixed=true); equation when time>0.5 then y=B.c; end when;",
+        "discrete Real y(start=0, fixed=true); equation when time>B.c then y=1; end when;",
+        "Real y(start=0, fixed=true); equation der(y)=0; when time>0.5 then reinit(y, B.c); end when;",
+        'Real y=time; equation assert(time < B.c, "late");',
+        "Real y(start=0); initial equation if time<1 then y=B.c; else y=0; end if; equation der(y)=0;",
+    ],
+)
+def test_constants_of_heirs(body: str, tmp_path: Path) -> None:
+    """Those that depend on what an heir changes are refused, wherever they stand."""
+    file = tmp_path / "M.mo"
+    file.write_text(_HEIRS.format(body))
+    with pytest.raises(UnsupportedModelError):
+        generate_model(BuildRequest("M", tmp_path, file))
+
+
+def test_an_assertion_on_constants_of_two_heirs(tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(
+        "partial package Base constant Real k; constant Real c=2*k; end Base; "
+        "package A extends Base(k=4); end A; package B extends Base(k=0.5); end B; "
+        'model M Real y=B.c; equation assert(time<B.c+0.5 and time<A.c, "x"); end M;'
+    )
+    with pytest.raises(UnsupportedModelError):
+        generate_model(BuildRequest("M", tmp_path, file))
+
+
+def test_a_file_that_cannot_be_read_hides_nothing(tmp_path: Path) -> None:
+    """A broken file in the folder of a model that is read wrongly."""
+    (tmp_path / "Broken.mo").write_text("model Broken Real x equation")
+    wrong = tmp_path / "M.mo"
+    wrong.write_text(_HEIRS.format("Real y; equation y=B.c;"))
+    with pytest.raises(UnsupportedModelError, match=r"B\.c"):
+        generate_model(BuildRequest("M", tmp_path, wrong))
+
+
+def test_a_base_with_the_name_of_its_heir(tmp_path: Path) -> None:
+    package = PackageUnderTest("""
+package R
+  package Q
+    model C extends R.C(q=2); end C;
+  end Q;
+  model C parameter Real q=1; end C;
+  model M
+    {}
+  end M;
+end R;
+""")
+    assert package.values(tmp_path, "extends Q.C; Real y=q*time;", {"y": 2.0}) == {"y": 2.0}
