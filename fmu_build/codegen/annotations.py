@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
+from contextlib import suppress
 
 from fmu_build.codegen.compiled import Span
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.clauses import components
 from fmu_build.codegen.modelica_source.text import STRING, blanked
+from fmu_build.codegen.second_reading.operations import UnknownError
+from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.support.description import DefaultExperiment, Terminal
 
 _MEMBERS = r"(?:signal|inflow|outflow)\s*\([^()]*\)"
@@ -17,8 +21,8 @@ _ESCAPES = {"n": "\n", "t": "\t", "r": "\r"}
 
 def default_experiment(model: LoweredModel) -> DefaultExperiment:
     """Return the ``experiment`` annotation; attributes that it omits have their default."""
-    text = _class_text(model, model.name, keep_strings=False)
-    match = re.search(r"\bexperiment\s*\(([^()]*)\)", text)
+    text = next(_class_texts(model), "")
+    match = re.search(r"\bexperiment\s*\(([^()]*)\)", blanked(text))
     settings = dict(re.findall(r"(\w+)\s*=\s*([-+.\deE]+)", match.group(1))) if match else {}
     defaults = DefaultExperiment()
     return DefaultExperiment(
@@ -31,7 +35,7 @@ def default_experiment(model: LoweredModel) -> DefaultExperiment:
 
 def documentation(model: LoweredModel) -> str:
     """Return the HTML of the ``Documentation`` annotation, or an empty string if there is none."""
-    text = _class_text(model, model.name, keep_strings=True)
+    text = next(_class_texts(model), "")
     match = re.search(rf"\bDocumentation\s*\(\s*info\s*=\s*({STRING})", text, re.DOTALL)
     if match is None:
         return ""
@@ -46,13 +50,10 @@ def terminals(model: LoweredModel) -> tuple[Terminal, ...]:
     ``__pyjoystick(terminals(shaft(inflow(tau = "T"), signal(phi = "theta"))))`` defines a terminal `shaft`;
     its inflow ``tau`` is the variable ``T``, its signal ``phi`` the variable ``theta``.
     """
-    waiting = [model.name]
-    for name in waiting:
-        text = _class_text(model, name, keep_strings=True)
+    for text in _class_texts(model):
         match = re.search(rf"__pyjoystick\s*\(\s*terminals\s*\(((?:\s*{_TERMINAL}\s*,?)+)\s*\)\s*\)", text)
         if match:
             return tuple(_terminal(*parts) for parts in re.findall(_TERMINAL, match.group(1)))
-        waiting += [base for base in _bases(name, text) if base not in waiting]
     return ()
 
 
@@ -82,24 +83,9 @@ def _terminal(name: str, members: str) -> Terminal:
     )
 
 
-def _bases(name: str, text: str) -> list[str]:
-    """Return possible full names of the base classes: in each enclosing package, innermost first."""
-    packages = [""] + [f"{name[: match.start()]}." for match in re.finditer(r"\.", name)]
-    extended = re.findall(r"\bextends\s+([\w.]+)", blanked(text))
-    return [package + base for base in extended for package in reversed(packages)]
-
-
-def _class_text(model: LoweredModel, class_name: str, keep_strings: bool) -> str:
-    """Return the source of a class from its keyword to its end, or "" if no class has that name."""
-    parent, _, name = class_name.rpartition(".")
-    begin = re.compile(rf"\b(?:model|block|class)\s+{re.escape(name)}\b")
-    end = re.compile(rf"\bend\s+{re.escape(name)}\s*;")
-    enclosing = re.compile(
-        rf"\b(?:within\s+(?:[\w.]+\.)?|package\s+){re.escape(parent.rpartition('.')[2])}\b"
-    )
-    for _, _, text in model.source_files:
-        blank = blanked(text)
-        first, last = begin.search(blank), end.search(blank)
-        if first and last and (not parent or enclosing.search(blank)):
-            return (text if keep_strings else blank)[first.start() : last.end()]
-    return ""
+def _class_texts(model: LoweredModel) -> Iterator[str]:
+    """Yield the source of the model's class, and those of its base classes as far as they are known."""
+    with suppress(UnknownError):
+        library = Library({number: text for number, (_, text) in model.sources.items()})
+        for one in library.lineage(library.class_of(model.name)):
+            yield model.sources[one.file][1][one.start : one.end]

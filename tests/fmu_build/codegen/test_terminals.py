@@ -14,7 +14,7 @@ _SHAFT = 'shaft(inflow(tau = "T"), signal(phi = "theta", w = "omega"))'
 
 
 def _model(name: str, *texts: str) -> Any:
-    return SimpleNamespace(name=name, source_files=[(None, None, text) for text in texts])
+    return SimpleNamespace(name=name, sources={place: ("", text) for place, text in enumerate(texts)})
 
 
 def _class(name: str, annotation: str, extends: str = "") -> str:
