@@ -9,7 +9,7 @@ import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence, Set
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
@@ -31,6 +31,7 @@ from fmu_build.codegen.second_reading.givens import (
 from fmu_build.codegen.second_reading.invalid import repeated_classes, repeated_components, unknown_names
 from fmu_build.codegen.second_reading.lookup import Lookup
 from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError, Value, as_value, scalar
+from fmu_build.codegen.second_reading.redeclarations import Member, Redeclarations, redeclared_classes
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
@@ -64,23 +65,6 @@ class Part:
 
     classes: tuple[Class, ...]
     kind: str
-
-
-@dataclass(frozen=True, slots=True)
-class _Member:
-    """A component of a class, with what it is given.
-
-    Attributes:
-        component: its declaration
-        around: the class in which this stands
-        given: what it is given
-        around_given: what this class and its bases are given
-    """
-
-    component: Component
-    around: Class
-    given: Given
-    around_given: Mapping[str, Given]
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +137,7 @@ class Instances:
         self.lookup = Lookup(library)
         if heir is not None:
             self.lookup.heirs[""] = heir
+        self._redeclarations = Redeclarations(library, self.lookup, self.mistakes)
         self._evaluating: set[str] = set()
         self._outer: set[str] = set()
         self._inner: set[str] = set()
@@ -269,7 +254,7 @@ class Instances:
         self, path: str, owner: Class, given: Mapping[str, Given], prefixes: frozenset[str], depth: int
     ) -> None:
         """Find the variables in a component of a class, to which the prefixes of the component apply."""
-        members: list[_Member] = []
+        members: list[Member] = []
         is_known = depth < _DEEPEST
         try:
             members += self._components(path, owner, given)
@@ -306,7 +291,7 @@ class Instances:
             if len(unknown) == len(before):
                 break
 
-    def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[_Member]:
+    def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[Member]:
         """Yield the components of a class, inherited ones first."""
         if not owner.is_certain:
             raise UnknownError
@@ -317,7 +302,7 @@ class Instances:
             if base in PREDEFINED.values():
                 raise UnknownError
             inner = {
-                **_redeclared_classes(path, owner),
+                **redeclared_classes(path, owner),
                 **inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner)),
             }
             all_given = merged(path, all_given, inner, self.mistakes)
@@ -328,34 +313,11 @@ class Instances:
         self.lookup.given[path, id(owner)] = all_given
         for component in owner.components:
             outer = given.get(component.name)
-            own = self._declared(path, owner, component, is_redeclared=outer is not None and bool(outer.type))
-            if "redeclare" in component.prefixes:
-                replaced = replace(self._replaced(path, owner, component.name), value=own.value)
-                own = both(joined(path, component.name), own, replaced, self.mistakes)
+            own = self._redeclarations.declared(path, owner, component, outer)
             whole = both(joined(path, component.name), outer, own, self.mistakes)
-            yield _Member(component, owner, whole, all_given)
+            yield Member(component, owner, whole, all_given)
 
-    def _declared(self, path: str, owner: Class, component: Component, *, is_redeclared: bool) -> Given:
-        """Return what a declaration gives; redeclarations keep its constraining clause (section 7.3.2)."""
-        own = given_by(component.modifier, Scope(path, owner))
-        if component.constraint is None:
-            return own
-        constraint = given_by(component.constraint, Scope(path, owner))
-        return (
-            constraint
-            if is_redeclared
-            else both(joined(path, component.name), own, constraint, self.mistakes)
-        )
-
-    def _replaced(self, path: str, owner: Class, name: str) -> Given:
-        """Return what the declaration of a base gives that a class redeclares as an element."""
-        for base in self.library.bases(owner):
-            around, component = self.library.components(base).get(name, (None, None))
-            if around is not None and component is not None:
-                return self._declared(path, around, component, is_redeclared=True)
-        raise UnknownError
-
-    def _component(self, path: str, member: _Member, around: frozenset[str], depth: int) -> None:
+    def _component(self, path: str, member: Member, around: frozenset[str], depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""
         component, given = member.component, member.given
         name = joined(path, component.name)
@@ -364,11 +326,11 @@ class Instances:
             self.absent.add(name)
         if given.redeclares or name in self.absent or "outer" in component.prefixes:
             return
-        kind, attributes = self._kind(path, member)
+        kind, attributes = self._redeclarations.kind(path, member)
         dimensions = [(tokens, scope) for tokens in component.dimensions]
         while kind.is_short and not kind.is_enumeration:
             base, modifier = kind.bases[0]
-            where = self._around(path, member.around, kind)
+            where = self._redeclarations.around(path, member.around, kind)
             attributes = both(name, attributes, given_by(modifier, where), self.mistakes)
             dimensions += [(tokens, where) for tokens in kind.dimensions]
             kind = self.library.base(kind, base)
@@ -392,59 +354,6 @@ class Instances:
                 subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
                 inner = {key: element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
-
-    def _around(self, path: str, own: Class, short: Class) -> Scope:
-        """Return the scope of what a short class gives: the class around it, perhaps that of a component."""
-        around = short.around
-        if around is None:
-            raise UnknownError
-        is_own = any(one is around for one in self.library.lineage(own))
-        return Scope(path if is_own else NOWHERE, around)
-
-    def _of_default(self, path: str, member: _Member) -> Mapping[str, Given]:
-        """Return what the constraining clause of a class that is not redeclared gives."""
-        declared = self.library.declaration(member.around, member.component.type)
-        return (
-            self._constraint(path, member) if declared is not None and declared.constraint is not None else {}
-        )
-
-    def _constraint(self, path: str, member: _Member) -> Mapping[str, Given]:
-        """Return what a class gives to a component whose type it is, if that is redeclared."""
-        declared = self.library.declaration(member.around, member.component.type)
-        if declared is None:
-            raise UnknownError
-        if declared.constraint is not None:
-            return inner_of(declared.constraint, self._around(path, member.around, declared))
-        if not declared.is_short:
-            return {}
-        return inner_of(declared.bases[0][1], self._around(path, member.around, declared))
-
-    def _kind(self, path: str, member: _Member) -> tuple[Class, Given]:
-        """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""
-        component, given = member.component, member.given
-        name, scope = component.type, Scope(path, member.around)
-        inner: Mapping[str, Given] = {}
-        other = member.around_given.get(component.type)
-        if given.type:
-            if given.type_scope is None:
-                raise UnknownError
-            name, scope = given.type, given.type_scope
-        elif other is not None:
-            if other.redeclares:
-                raise UnknownError
-            inner = other.inner
-            if other.type and other.type_scope is not None:
-                name, scope = other.type, other.type_scope
-                inner = merged("", inner, self._constraint(path, member), self.mistakes)
-        else:
-            inner = self._of_default(path, member)
-        *package, last = name.split(".")
-        if package and package != [""]:
-            heir = self.lookup.class_in(package, scope)
-            self.lookup.heirs[plain(joined(path, component.name))] = heir
-        is_modified = other is not None and not given.type and not other.type
-        declared = self.library.declaration(member.around, component.type) if is_modified else None
-        return declared or self.lookup.class_in([*package, last], scope), Given(inner=inner)
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
@@ -471,17 +380,6 @@ class Instances:
 _ATTRIBUTES: Final = frozenset(
     ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
 )
-
-
-def _redeclared_classes(path: str, owner: Class) -> dict[str, Given]:
-    """Return what a class gives to classes of its bases by redeclaring them, as ``redeclare model A = B``."""
-    found = {}
-    for name, one in owner.classes.items():
-        if "redeclare" in one.prefixes and one.is_short:
-            base, modifier = one.bases[0]
-            scope = Scope(path, owner)
-            found[name] = Given(type=base, type_scope=scope, inner=inner_of(modifier, scope))
-    return found
 
 
 def around(name: str) -> Iterator[str]:
