@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import pytest
+import rumoca
 
 from fmu_build import UnsupportedModelError
+from fmu_build.codegen.compiled import expressions
+from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.modelica_source.text import blanked
+from fmu_build.codegen.second_reading import scopes
 from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
+from fmu_build.codegen.second_reading.check import reject_other_values
 from fmu_build.codegen.second_reading.gathered import indexed
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
-from fmu_build.codegen.second_reading.syntax import TOKEN
+from fmu_build.codegen.second_reading.syntax import TOKEN, Class
 from fmu_build.compilers.rumoca import generate_model
 from fmu_build.support.request import BuildRequest
 from tests.fmu_build.package_under_test import PackageUnderTest
@@ -195,3 +200,55 @@ package R
 end R;
 """)
     assert package.values(tmp_path, "extends Q.C; Real y=q*time;", {"y": 2.0}) == {"y": 2.0}
+
+
+_NOWHERE = {"source": 0, "start": 0, "end": 0}
+
+
+def _lowered(text: str, folder: Path) -> LoweredModel:
+    file = folder / "M.mo"
+    file.write_text(text)
+    return lower(rumoca.Session().load(str(file), model="M"))
+
+
+@pytest.mark.parametrize(
+    ("variable", "attribute"),
+    [("x", "start"), ("x", "min"), ("x", "max"), ("x", "nominal"), ("b", "start")],
+)
+@pytest.mark.parametrize("other", [None, {"Literal": {"value": {"Real": 0.0}, "span": _NOWHERE}}])
+def test_attributes(variable: str, attribute: str, other: object, tmp_path: Path) -> None:
+    """Also those that follow from parameters, and those of Booleans."""
+    model = _lowered(
+        "model M parameter Real p=2; Real x(start=3*p, fixed=true, min=-p, max=50*p, nominal=p); "
+        "Boolean b(start=true, fixed=true); equation der(x)=-x; when x < 1 then b=false; end when; end M;",
+        tmp_path,
+    )
+    reject_other_values(model)
+    model.flat["variables"][variable][attribute] = other
+    with pytest.raises(UnsupportedModelError, match=rf"the {attribute} value .* of {variable}, or"):
+        reject_other_values(model)
+
+
+def test_integer_parameters_of_the_same_value(tmp_path: Path) -> None:
+    """One in the place of another is found, although both are 2."""
+    model = _lowered(
+        "model M parameter Integer m=2; parameter Integer n=2; Real y; equation y=n*time + m; end M;",
+        tmp_path,
+    )
+    reject_other_values(model)
+    for reference in expressions(model.flat["equations"], "VarRef"):
+        if reference["name"]["name"] == "n":
+            reference["name"]["name"] = "m"
+    with pytest.raises(UnsupportedModelError, match="n means m"):
+        reject_other_values(model)
+
+
+def test_a_file_of_the_model_that_cannot_be_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    model = _lowered("model M Real y=time; equation end M;", tmp_path)
+
+    def read(text: str, number: int) -> Iterator[tuple[str, Class]]:
+        raise SyntaxError("a word is missing")
+
+    monkeypatch.setattr(scopes, "read_classes", read)
+    with pytest.raises(UnsupportedModelError, match="the file cannot be checked: a word is missing"):
+        reject_other_values(model)
