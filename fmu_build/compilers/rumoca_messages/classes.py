@@ -16,6 +16,14 @@ _NOT_EVALUATED = (
 
 CLASSES = (
     Meaning(
+        r"component '\w+' instantiates partial model '(?P<name>\w+)'",
+        UnsupportedModelError,
+        "the short class {name} is taken for partial, because the class for which it stands is; write "
+        "model {name} extends ...",
+        (r"\b(?:model|block|class)\s+NAME\s*=",),
+        only_there=True,
+    ),
+    Meaning(
         _UNBALANCED,
         UnsupportedModelError,
         "the connector {name} is taken for unbalanced, {count}: the compiler counts an array as one, leaves "

@@ -1021,3 +1021,15 @@ def test_a_size_that_the_compiler_cannot_compute(tmp_path: Path) -> None:
         UnsupportedModelError, match=r"4:3: .*size of z, n, is not a number that the compiler can compute"
     ):
         generate_model(BuildRequest("M", tmp_path, file))
+
+
+def test_a_short_class_of_a_partial_one(tmp_path: Path) -> None:
+    """It is not partial itself (Modelica 3.6, section 4.6.1)."""
+    file = tmp_path / "M.mo"
+    file.write_text(
+        "partial model P replaceable Real x = time; end P;\n"
+        "model S = P(redeclare Real x = 2*time);\n"
+        "model M S s; end M;\n"
+    )
+    with pytest.raises(UnsupportedModelError, match=r"2:1: the short class S is taken for partial"):
+        generate_model(BuildRequest("M", tmp_path, file))
