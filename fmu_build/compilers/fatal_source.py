@@ -10,7 +10,7 @@ from fmu_build.codegen.modelica_source.places import place_at
 from fmu_build.codegen.modelica_source.text import REDECLARE, blanked, declarations
 from fmu_build.support.errors import UnsupportedModelError
 
-_EXTENDED = rf"{REDECLARE}(?:model|block|record|connector|class)\s+(?=extends\b)"
+_EXTENDED = rf"{REDECLARE}(?:model|block|record|connector|class|type|function)\s+(?=extends\b)"
 _NAME_WITH_QUOTES = r"'(?:[^'\\\n]|\\.)*\"(?:[^'\\\n]|\\.)*'"
 _FATAL = re.compile(f"(?P<extended>{_EXTENDED})|(?P<name>{_NAME_WITH_QUOTES})")
 

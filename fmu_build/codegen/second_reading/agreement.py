@@ -52,7 +52,7 @@ def differ(points: Points, meant: Reading, found: Reading, size: Size, *, is_res
             if not of_any_integers:
                 return False
     if _differ(points.of_own_integers, meant, found, size, is_residual):
-        return True
+        return _differ(points.of_replaced_names, meant, found, size, is_residual)
     if of_any_integers:
         raise UnknownError
     return False

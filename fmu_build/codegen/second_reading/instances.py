@@ -347,6 +347,8 @@ class Instances:
             self._add_leaf(name, component, kind, leaf)
         elif given.value and given.type:
             self.unknown.append((f"the value of {name}, which a modifier redeclares,", member.around))
+        elif given.value and kind.kind == "record" and prefixes & {"parameter", "constant"}:
+            self._record(name, whole, kind, prefixes, depth, member.around)
         elif not given.value and "expandable" not in kind.prefixes:
             if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
                 raise UnknownError
@@ -354,6 +356,17 @@ class Instances:
                 subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
                 inner = {key: element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
+
+    def _record(
+        self, name: str, given: Given, kind: Class, prefixes: frozenset[str], depth: int, around: Class
+    ) -> None:
+        """Add the members of a record that is given a value as a whole."""
+        if self.sizes[name]:
+            if "(" in given.value and kind.bases:
+                self.unknown.append((f"the value of {name}, an array of records that inherit,", around))
+            return
+        inner = {**given.inner, **self._redeclarations.members(given, kind)}
+        self._expand(name, kind, inner, prefixes, depth + 1)
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens

@@ -31,6 +31,8 @@ _BOOLEANS_AT: Final = (0, 0, 1, 1)
 class Point:
     """Values of all variables; constants and parameters have their own values unless they are `free`.
 
+    If it is one of replaced names, so have variables with an equation in their declaration.
+
     If it is smooth, expressions have numbers in the place of Booleans, as `smooth` in `operations` says.
     """
 
@@ -38,6 +40,7 @@ class Point:
     number: int
     free: Set[str]
     is_smooth: bool
+    is_replaced: bool
     _drawn: dict[str, Value] = field(default_factory=dict)
     _computed: dict[str, Value | None] = field(default_factory=dict)
 
@@ -62,7 +65,9 @@ class Point:
 
     def is_random(self, path: str) -> bool:
         """Return whether a variable has a random value."""
-        return path in self.free or not self.instances.leaves[path].is_constant
+        leaf = self.instances.leaves[path]
+        has_own = leaf.is_constant or (self.is_replaced and bool(leaf.given.value))
+        return path in self.free or not has_own
 
     def applied(self, operator: str, path: str) -> Value:
         """Return the value of an operator, as ``der``, of a variable; an empty one is the variable itself."""
@@ -128,11 +133,15 @@ class Points:
         self.has_integers = bool(integers)
         self.of_any_integers = _points(instances, constants)
         self.of_own_integers = _points(instances, constants - integers)
+        #: rumoca writes the equations of some variables in the place of their names.
+        self.of_replaced_names = _points(instances, constants - integers, is_replaced=True)
 
 
-def _points(instances: Instances, free: Set[str]) -> list[Point]:
+def _points(instances: Instances, free: Set[str], *, is_replaced: bool = False) -> list[Point]:
     numbers = range(len(_RANGES))
-    return [Point(instances, number, free, smooth) for smooth in (False, True) for number in numbers]
+    return [
+        Point(instances, number, free, smooth, is_replaced) for smooth in (False, True) for number in numbers
+    ]
 
 
 def source_names(point: Point, scope: Scope) -> Names:

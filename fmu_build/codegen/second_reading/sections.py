@@ -163,7 +163,7 @@ class _Reader:
         if "(" not in tokens:
             raise SyntaxError(f"an equation is expected, not {tokens[0]}")
         opening = tokens.index("(")
-        return Call("".join(tokens[:opening]), _arguments(tokens[opening + 1 : -1]), places[first], end)
+        return Call("".join(tokens[:opening]), arguments(tokens[opening + 1 : -1]), places[first], end)
 
     def _until(self, *ends: str) -> Tokens:
         """Take the tokens up to one of these outside of brackets."""
@@ -188,7 +188,7 @@ class _Reader:
         return self._section.tokens[self._place - 1]
 
 
-def _arguments(tokens: Tokens) -> tuple[Tokens, ...]:
+def arguments(tokens: Tokens) -> tuple[Tokens, ...]:
     """Return the arguments between commas."""
     commas = [place for place in _outermost(tokens) if tokens[place] == ","]
     starts = [0, *(place + 1 for place in commas)]

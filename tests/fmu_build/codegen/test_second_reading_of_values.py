@@ -252,3 +252,47 @@ def test_a_file_of_the_model_that_cannot_be_read(tmp_path: Path, monkeypatch: py
     monkeypatch.setattr(scopes, "read_classes", read)
     with pytest.raises(UnsupportedModelError, match="the file cannot be checked: a word is missing"):
         reject_other_values(model)
+
+
+_RECORDS = """
+record R parameter Real a=1; end R;
+record S extends R; parameter Real c=a+1; end S;
+model C parameter S s; Real y=s.c*time; end C;
+{}
+"""
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        "model M parameter S q=S(a=5); Real c=q.c*time; end M;",
+        "model M parameter S q=S(5); Real c=q.c*time; end M;",
+        "model M parameter Real p=5; parameter S q=S(a=p); Real c=q.c*time; end M;",
+        "model M C c(s=S(a=5)); end M;",
+        "model B parameter S q; C c(s=q); end B; model M B b(q=S(a=5)); end M;",
+        "record T parameter S s=S(a=6); end T; model M T t; Real c=t.s.c*time; end M;",
+        "model M parameter S t[2]={S(a=6), S(a=2)}; Real c=t[1].c*time; end M;",
+    ],
+)
+def test_members_that_follow_others_of_a_constructor(model: str, tmp_path: Path) -> None:
+    """Of S(a=5), c is 6 (section 12.6); rumoca takes the a of R."""
+    file = tmp_path / "M.mo"
+    file.write_text(_RECORDS.format(model))
+    with pytest.raises(UnsupportedModelError):
+        generate_model(BuildRequest("M", tmp_path, file))
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        "model M parameter S q=S(a=5, c=16); Real c=q.c*time; end M;",
+        "model M parameter S q(a=5); Real c=q.c*time; end M;",
+        "model M parameter R q=R(5); Real c=q.a*time; end M;",
+        "model I input Real u; output Real y=2*u; end I; "
+        "model O I a(u=u); input Real u; output Real y=a.y; end O; model M O o(u=time); end M;",
+    ],
+)
+def test_values_that_are_passed_on(model: str, tmp_path: Path) -> None:
+    file = tmp_path / "M.mo"
+    file.write_text(_RECORDS.format(model))
+    generate_model(BuildRequest("M", tmp_path, file))

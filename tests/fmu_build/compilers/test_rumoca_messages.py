@@ -191,6 +191,7 @@ _CASES = {
     "a class extended as it is redeclared, in a model": Case(
         "model B replaceable model X parameter Real k=5; end X; X x; end B; "
         "model C extends B; redeclare model extends X end X; end C; C b;",
+        "model C extends B; redeclare function extends f algorithm y := 2*x; end f; end C; C b;",
         "",
         UnsupportedModelError,
         "M.mo:2:89: redeclare ... extends in a model is not supported; give the new class a name of its own",
