@@ -48,10 +48,11 @@ def _locked_folder() -> tuple[Path, FileLock]:
     while True:
         folder = Path(tempfile.mkdtemp(prefix=_prefix()))
         lock = FileLock(folder / _LOCK)
-        lock.acquire()
-        if (folder / _LOCK).exists():
-            return folder, lock
-        # Before it was locked, another process took it for abandoned and removed it.
+        # Before it is locked, another process may take it for abandoned and remove it.
+        with suppress(FileNotFoundError):
+            lock.acquire()
+            if (folder / _LOCK).exists():
+                return folder, lock
         lock.release()
 
 

@@ -191,10 +191,16 @@ _CASES = {
     "a class extended as it is redeclared, in a model": Case(
         "model B replaceable model X parameter Real k=5; end X; X x; end B; "
         "model C extends B; redeclare model extends X end X; end C; C b;",
-        "model C extends B; redeclare function extends f algorithm y := 2*x; end f; end C; C b;",
         "",
         UnsupportedModelError,
         "M.mo:2:89: redeclare ... extends in a model is not supported; give the new class a name of its own",
+    ),
+    "a function extended as it is redeclared, in a model": Case(
+        "model B replaceable function f input Real x; output Real y; algorithm y := x; end f; Real y = f(1); "
+        "end B; model C extends B; redeclare function extends f algorithm y := 2*x; end f; end C; C b;",
+        "",
+        UnsupportedModelError,
+        "redeclare ... extends in a model is not supported; give the new class a name of its own",
     ),
     "a name with a quotation mark": Case(
         "parameter Real 'a\"b' = 3;",

@@ -54,16 +54,20 @@ def test_a_folder_is_there_and_gone(place: Path) -> None:
     assert list(place.iterdir()) == []
 
 
+@pytest.mark.parametrize("is_open", [False, True])
 def test_a_folder_that_is_removed_before_it_is_locked_is_replaced(
-    place: Path, monkeypatch: pytest.MonkeyPatch
+    is_open: bool, place: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     acquire, removed = FileLock.acquire, list[Path]()
 
     def removed_at_first(lock: FileLock) -> None:
-        acquire(lock)
+        if is_open or removed:
+            acquire(lock)
         if not removed:
             removed.append(Path(lock.lock_file).parent)
             shutil.rmtree(removed[0])
+            if not is_open:
+                raise FileNotFoundError(lock.lock_file)
 
     monkeypatch.setattr(FileLock, "acquire", removed_at_first)
     with temporary_folder() as folder:
