@@ -93,6 +93,8 @@ def _is_of_heirs(library: Library, instances: Instances, name: str, scope: Scope
         return True
     except (KeyError, UnknownError):
         return False
+    if "constant" not in component.prefixes:
+        return False
     if id(around) in library.changed or depth > _DEEPEST:
         return True
     inner = _names_of_constants(component.modifier.value)

@@ -288,6 +288,8 @@ def test_members_that_follow_others_of_a_constructor(model: str, tmp_path: Path)
         "model M parameter S q=S(a=5, c=16); Real c=q.c*time; end M;",
         "model M parameter S q(a=5); Real c=q.c*time; end M;",
         "model M parameter R q=R(5); Real c=q.a*time; end M;",
+        "model A parameter Real k=1; Real y; end A; model B extends A(k=3); equation y=2*k*time; end B; "
+        "model D replaceable A t[2]; Real y=t[1].y+t[2].y; end D; model M D d(redeclare B t[2]); end M;",
         "model I input Real u; output Real y=2*u; end I; "
         "model O I a(u=u); input Real u; output Real y=a.y; end O; model M O o(u=time); end M;",
     ],
