@@ -23,6 +23,7 @@ from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import mistaken_packages
 from fmu_build.codegen.second_reading.scopes import Library
+from fmu_build.codegen.second_reading.syntax import Class
 from fmu_build.codegen.second_reading.values import mistaken_values
 from fmu_build.codegen.second_reading.variables import mistaken_variables
 
@@ -72,8 +73,7 @@ def _differences(
         model, library, instances, [*unknown, *unknown_declarations(instances)], in_functions
     )
     for what, around in instances.unknown:
-        span = model.span(around.file, around.start, around.end)
-        yield f"{what} cannot be checked; declare a class of its own for the component", span
+        yield f"{what} cannot be checked; declare a class of its own for the component", _place(model, around)
     for difference in mistaken_variables(model, instances):
         yield f"{difference}: the compiler has misread a size, a condition or a type; write a number", None
     for difference in mistaken_connections(model, connections):
@@ -88,15 +88,20 @@ def _of_unknown(
         *captured_names(instances, unknown),
         *captured_in_packages(library),
     ):
-        span = model.span(around.file, around.start, around.end)
-        yield f"{difference}, because the compiler looks it up there first; rename one of them", span
+        why = "because the compiler looks it up there first"
+        yield f"{difference}, {why}; rename one of them", _place(model, around)
     for difference, around in uses_of_replaceable_packages(
         model, library, instances, (*unknown, *in_functions)
     ):
-        span = model.span(around.file, around.start, around.end)
         why = "the compiler would take another package"
-        yield f"{difference}: {why}; pass the value as a parameter or an argument", span
+        yield f"{difference}: {why}; pass the value as a parameter or an argument", _place(model, around)
     for difference, around in constants_of_heirs(library, instances, unknown):
-        span = model.span(around.file, around.start, around.end)
         why = "the compiler may take those of another package with the same base"
-        yield f"{difference} in {around.name} cannot be checked: {why}; use a parameter", span
+        yield (
+            f"{difference} in {around.name} cannot be checked: {why}; use a parameter",
+            _place(model, around),
+        )
+
+
+def _place(model: LoweredModel, owner: Class) -> Span:
+    return model.span(owner.file, owner.start, owner.end)

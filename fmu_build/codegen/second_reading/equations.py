@@ -191,9 +191,8 @@ class _Comparison:
         return [one for one in self._found if start <= one.offset < end]
 
     def _by_names(self, start: int, end: int) -> Iterator[Difference]:
-        """Yield the names and numbers that are not what the source means, or that everything is lost."""
-        found = self._between(start, end)
-        for one in found:
+        """Yield the names and numbers that are not what the source means."""
+        for one in self._between(start, end):
             for check in (mistaken_names, mistaken_numbers):
                 for difference in check(self._model, self._instances, self._scope, one.equation["residual"]):
                     yield difference, one.equation["span"]

@@ -22,8 +22,7 @@ from fmu_build.codegen.second_reading.syntax import Class
 _BOOLEANS: Final = frozenset(("edge", "change"))
 #: Ranges of the random values at each point: roots and logarithms are not defined for negative ones.
 _RANGES: Final = ((0.2, 1.8), (0.5, 4.0), (1.1, 1.9), (-3.0, 3.0))
-
-
+#: The values of a Boolean at the points, in some order.
 _BOOLEANS_AT: Final = (0, 0, 1, 1)
 
 

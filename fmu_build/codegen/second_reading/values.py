@@ -48,7 +48,7 @@ def mistaken_values(
 
 
 def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
-    """Yield the values and attributes whose numbers differ."""
+    """Yield the values and attributes whose numbers, in the stage after the flat model, differ."""
     attributes, inner = variable["attributes"], leaf.given.inner
     is_given = leaf.is_constant and bool(leaf.given.value)
     compared = [("value", leaf.given, "binding")] if is_given else []
@@ -73,7 +73,7 @@ def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> 
 def _in_attributes(
     model: LoweredModel, instances: Instances, name: str, unknown: list[Text]
 ) -> Iterator[str]:
-    """Yield the attributes of a variable with other values."""
+    """Yield the attributes of a variable that have other values in the flat model."""
     leaf, flat = instances.leaves[name], model.flat["variables"].get(name, {})
     for attribute in _ATTRIBUTES:
         given, tree = leaf.given.inner.get(attribute), flat.get(attribute)

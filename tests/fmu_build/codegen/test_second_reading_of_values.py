@@ -122,6 +122,12 @@ def test_branches_that_do_not_hold(one: str, other: str, agree: bool) -> None:
     assert math.isclose(first, second) == agree
 
 
+def _generate(text: str, folder: Path) -> None:
+    file = folder / "M.mo"
+    file.write_text(text)
+    generate_model(BuildRequest("M", folder, file))
+
+
 #: Of B, k is 1.5 and c is 3; rumoca takes 7 and 14 in components.
 _HEIRS = """
 package Base constant Real k=7; constant Real c=2*k; constant Integer n=3; constant Integer m=n+1;
@@ -161,30 +167,25 @@ model M C b; end M;
 )
 def test_constants_of_heirs(body: str, tmp_path: Path) -> None:
     """Those that depend on what an heir changes are refused, wherever they stand."""
-    file = tmp_path / "M.mo"
-    file.write_text(_HEIRS.format(body))
     with pytest.raises(UnsupportedModelError):
-        generate_model(BuildRequest("M", tmp_path, file))
+        _generate(_HEIRS.format(body), tmp_path)
 
 
 def test_an_assertion_on_constants_of_two_heirs(tmp_path: Path) -> None:
-    file = tmp_path / "M.mo"
-    file.write_text(
+    text = (
         "partial package Base constant Real k; constant Real c=2*k; end Base; "
         "package A extends Base(k=4); end A; package B extends Base(k=0.5); end B; "
         'model M Real y=B.c; equation assert(time<B.c+0.5 and time<A.c, "x"); end M;'
     )
     with pytest.raises(UnsupportedModelError):
-        generate_model(BuildRequest("M", tmp_path, file))
+        _generate(text, tmp_path)
 
 
 def test_a_file_that_cannot_be_read_hides_nothing(tmp_path: Path) -> None:
     """A broken file in the folder of a model that is read wrongly."""
     (tmp_path / "Broken.mo").write_text("model Broken Real x equation")
-    wrong = tmp_path / "M.mo"
-    wrong.write_text(_HEIRS.format("Real y; equation y=B.c;"))
     with pytest.raises(UnsupportedModelError, match=r"B\.c"):
-        generate_model(BuildRequest("M", tmp_path, wrong))
+        _generate(_HEIRS.format("Real y; equation y=B.c;"), tmp_path)
 
 
 def test_a_base_with_the_name_of_its_heir(tmp_path: Path) -> None:
@@ -276,10 +277,8 @@ model C parameter S s; Real y=s.c*time; end C;
 )
 def test_members_that_follow_others_of_a_constructor(model: str, tmp_path: Path) -> None:
     """Of S(a=5), c is 6 (section 12.6); rumoca takes the a of R."""
-    file = tmp_path / "M.mo"
-    file.write_text(_RECORDS.format(model))
     with pytest.raises(UnsupportedModelError):
-        generate_model(BuildRequest("M", tmp_path, file))
+        _generate(_RECORDS.format(model), tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -295,6 +294,4 @@ def test_members_that_follow_others_of_a_constructor(model: str, tmp_path: Path)
     ],
 )
 def test_values_that_are_passed_on(model: str, tmp_path: Path) -> None:
-    file = tmp_path / "M.mo"
-    file.write_text(_RECORDS.format(model))
-    generate_model(BuildRequest("M", tmp_path, file))
+    _generate(_RECORDS.format(model), tmp_path)
