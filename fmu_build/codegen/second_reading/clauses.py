@@ -111,7 +111,7 @@ class _Clauses:
             return
         specific = [*self._by_names(candidates[0])] if len(candidates) == 1 else []
         yield from specific or [
-            (f"the {what}{self._where} has become another one", self._span(start, start + 1))
+            (f"the {what}{self._where} differs in the compiler's reading", self._span(start, start + 1))
         ]
 
     def _differ(self, inner: Sequence[Statement] | None, trees: Trees) -> bool:

@@ -177,7 +177,7 @@ class _Comparison:
         if not specific:
             where = f" of {self._scope.path}" if self._scope.path else ""
             what = as_written(text.tokens).removesuffix(";")
-            fate = "has become another one" if compiled else "is lost"
+            fate = "differs in the compiler's reading" if compiled else "is lost"
             yield f"the equation {what}{where} {fate}", self._span(one.start, one.end)
 
     def _captured(self, text: Text, one: Equation | Branches | Loop) -> Iterator[Difference]:

@@ -24,7 +24,7 @@ from fmu_build.codegen.second_reading.syntax import Class
 def mistaken_functions(
     model: LoweredModel, library: Library, unknown: list[Text], in_functions: list[Text]
 ) -> Iterator[tuple[str, Span]]:
-    """Yield functions in which something has become another one, and where these stand.
+    """Yield functions in which something differs in the compiler's reading, and where these stand.
 
     The texts of functions that cannot be compared are added to `in_functions`, or to `unknown` if it
     is not known through which package they are called.
@@ -43,7 +43,7 @@ def mistaken_functions(
             continue
         try:
             if _differs(model, function, one):
-                yield f"the function {owner.name} has become another one", span
+                yield f"the function {owner.name} differs in the compiler's reading", span
         except (SyntaxError, UnknownError):
             in_functions.append(text)
 

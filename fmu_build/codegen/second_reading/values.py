@@ -88,7 +88,7 @@ def _in_attributes(
             continue
         try:
             if value_differs(model, instances, given, leaf.sizes, tree):
-                yield f"the {attribute} value {as_written(given.value)} has become another one"
+                yield f"the {attribute} value {as_written(given.value)} differs in the compiler's reading"
         except UnknownError:
             if given.scope is not None:
                 unknown.append(Text(given.scope, given.value))
@@ -116,7 +116,7 @@ def _in_equation(model: LoweredModel, instances: Instances, name: str, unknown: 
         return
     if differs:
         specific = [*_in_text(model, instances, given, binding)]
-        yield from specific or [f"the equation {as_written(given.value)} has become another one"]
+        yield from specific or [f"the equation {as_written(given.value)} differs in the compiler's reading"]
 
 
 def _in_text(

@@ -120,11 +120,11 @@ def test_each_has_its_own_values(declarations: str, values: dict[str, float], tm
     ("declarations", "message"),
     [
         ("Real a = Lower.c*time;", r"Lower.c is not 7"),
-        ("Real a = Lower.f(time);", r"the function f has become another one"),
+        ("Real a = Lower.f(time);", r"the function f differs in the compiler's reading"),
         ("Real a = Redeclared.c*time;", r"Redeclared.c is not 1"),
         (
             "UserOfTwo a; UserOfTwo b(redeclare package P = Three);",
-            r"the equation P\.d \* time has become another one",
+            r"the equation P\.d \* time differs in the compiler's reading",
         ),
         (
             "InnerUser a(redeclare package P = InnerTwo); InnerUser b(redeclare package P = InnerThree);",

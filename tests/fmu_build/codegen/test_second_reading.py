@@ -324,7 +324,7 @@ _MISPLACED = {
     "in a package": (
         "package Q constant Real b=k+3; end Q; package R extends Q; constant Real k=100; end R;",
         "Real y=P.R.b;",
-        "the equation P.R.b has become another one",
+        "the equation P.R.b differs in the compiler's reading",
     ),
     "the default of a record": (
         "record R Real a=k; Real b=1; end R;",
@@ -377,7 +377,7 @@ _MISPLACED = {
         "package A extends B(h=true); end A; "
         "model V Real y; equation y=time*(if P.W.h then 3 else 5); end V;",
         "P.V a; Real d=P.A.g;",
-        "the equation y = time *(if P.W.h then 3 else 5) of a has become another one",
+        "the equation y = time *(if P.W.h then 3 else 5) of a differs in the compiler's reading",
     ),
     "a package that a class redeclares": (
         "partial package B constant Real h=0; end B; package W extends B; end W; "

@@ -43,7 +43,7 @@ REFUSALS = (
     Refusal(
         "ChangedConstants.Columns",
         UnsupportedModelError,
-        r"the equation Water\.weight \* time has become another one",
+        r"the equation Water\.weight \* time differs in the compiler's reading",
     ),
     Refusal(
         "ChangedFunction.Pair", UnsupportedModelError, r"functions of Law, which has several meanings in it"
