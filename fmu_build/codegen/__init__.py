@@ -34,6 +34,8 @@ from fmu_build.support.request import SensitivityRequest
 
 __all__ = ["ModelSource", "generate"]
 
+_MOST_TEXTS = 5
+
 
 def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None) -> GeneratedModel:
     """Return the C source and the description of a compiled model, with sensitivities if they are requested.
@@ -41,13 +43,14 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
     Raises `UnsupportedModelError` with the name and line of an unsupported construct.
     """
     model = _read(lower(source.model))
+    unchecked = _unchecked(model.unchecked)
     trials = Trials(source, model.lowered, model.starts)
     followed = with_followed_parameters(source, model.lowered, trials)
     if followed is not None:
         source, lowered = followed
         model = _read(lowered)
         trials = Trials(source, lowered, model.starts)
-    lowered, functions, equations, left_out, starts = model
+    lowered, functions, equations, left_out, starts, _ = model
     baked = baked_parameters(trials)
     variables = VariableReader(lowered, equations, starts, baked, left_out).read()
     if sensitivity is not None:
@@ -74,7 +77,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         has_directional_derivatives=tangents is not None,
     )
     c_source = write_model(lowered, written, variables, starts, functions.sources(), tangents)
-    return GeneratedModel(description, c_source, notes)
+    return GeneratedModel(description, c_source, notes + unchecked)
 
 
 class _Read(NamedTuple):
@@ -85,10 +88,11 @@ class _Read(NamedTuple):
     equations: Equations
     left_out: frozenset[str]
     starts: StartValues
+    unchecked: Sequence[str]
 
 
 def _read(lowered: LoweredModel) -> _Read:
-    reject_unsupported(lowered)
+    unchecked = reject_unsupported(lowered)
     reject_unsupported_tables(lowered, StartValues(lowered))
     functions = FunctionLibrary(lowered)
     equations = compact(read_equations(lowered, functions.name_of), n_named_slots(lowered))
@@ -96,7 +100,18 @@ def _read(lowered: LoweredModel) -> _Read:
     reject_other_states(lowered, equations)
     reject_left_limits_of_inputs(lowered, equations)
     equations, left_out = without_open_connectors(lowered, equations)
-    return _Read(lowered, functions, equations, left_out, StartValues(lowered))
+    return _Read(lowered, functions, equations, left_out, StartValues(lowered), unchecked)
+
+
+def _unchecked(texts: Sequence[str]) -> str:
+    """Return a note on what the second reading could not compute."""
+    if not texts:
+        return ""
+    more = f" and {len(texts) - _MOST_TEXTS} more" if len(texts) > _MOST_TEXTS else ""
+    return (
+        f"Not computed by the second reading, so check the results: {'; '.join(texts[:_MOST_TEXTS])}{more}. "
+        "See docs/compilers.md.\n"
+    )
 
 
 def _tangents(equations: Equations, variables: Sequence[StoredVariable]) -> tuple[Tangents | None, str]:

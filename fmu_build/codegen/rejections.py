@@ -21,7 +21,7 @@ from fmu_build.codegen.second_reading.check import reject_other_values
 from fmu_build.codegen.unguarded_assignments import reject_unguarded_assignments
 
 
-def reject_unsupported(model: LoweredModel) -> None:
+def reject_unsupported(model: LoweredModel) -> list[str]:
     """Raise `UnsupportedModelError` for the first construct that would be translated incorrectly."""
     _reject_operators(model)
     _reject_initial_manifold(model)
@@ -41,7 +41,7 @@ def reject_unsupported(model: LoweredModel) -> None:
     reject_lost_equations(model)
     reject_mistaken_names(model)
     reject_continuous_definitions(model)
-    reject_other_values(model)
+    return reject_other_values(model)
 
 
 def _reject_found(model: LoweredModel) -> None:

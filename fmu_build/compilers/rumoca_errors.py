@@ -176,5 +176,5 @@ def _panic(text: str, model: str, file: Path, files: Iterable[Path]) -> BuildErr
         what = meaning.text(text, found)
         return meaning.error(located(what, [construct.place for construct in found], model, file))
     detail = re.search(r'detail: "([^"]*)"', text)
-    message = located(f"rumoca cannot compile this: {detail[1] if detail else text}", [], model, file)
-    return UnsupportedModelError(message) if "Unsupported" in text else BuildError(message)
+    what = f"the compiler ends at this model, which need not be wrong: {detail[1] if detail else text}"
+    return UnsupportedModelError(located(what, [], model, file))

@@ -87,13 +87,14 @@ class FunctionLibrary:
     def _signature(self, function: int) -> FunctionSignature:
         declared = self._functions[function]
         inputs = [self._types[parameter["value_type"]]["dimensions"] for parameter in declared["parameters"]]
+        kinds = [self._types[kind]["scalar"] for kind in declared["result_types"]]
         results = [shape for kind in declared["result_types"] for shape in shapes(self._types, kind)]
         n_assertions = assertions(declared)
         return FunctionSignature(
             name=self._name(declared["name"]),
             inputs=tuple(math.prod(dimensions) if dimensions else None for dimensions in inputs),
             n_results=sum(math.prod(dimensions) for dimensions in results) + n_assertions,
-            returns_value=results == [()] and not n_assertions,
+            returns_value=results == [()] and kinds != ["record"] and not n_assertions,
         )
 
     def _name(self, modelica_name: str) -> str:

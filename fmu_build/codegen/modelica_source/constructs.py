@@ -17,6 +17,7 @@ _ARRAY_INPUT = re.compile(r"\binput\s+[\w.]+\s*(?:\w+\s*)?\[")
 _ARRAY_TYPE = re.compile(
     r"\A\s*(?:type|connector)\s+\w+\s*=\s*(?:(?:input|output|flow)\s+)?[\w.]+\s*\[[^\]]*[A-Za-z]"
 )
+_INHERITS = re.compile(r"\bextends\b|\bpackage\s+\w+\s*=")
 _ENUMERATION = re.compile(r"\A\s*type\s+\w+\s*=\s*enumeration\b")
 _WORD = re.compile(r"'(?:[^'\\\n]|\\.)*'|[A-Za-z_]\w*")
 
@@ -126,6 +127,15 @@ class ModelText:
     def array_types(self) -> frozenset[str]:
         """The simple names of types and connectors that are arrays of a computed size, as ``Real[n]``."""
         return self._simple_names(_ARRAY_TYPE)
+
+    @cached_property
+    def heirs(self) -> frozenset[str]:
+        """The simple names of the packages that inherit."""
+        return frozenset(
+            name.rpartition(".")[2]
+            for name, kind in self._kinds.items()
+            if kind.endswith("package") and _INHERITS.search(self._classes[name])
+        )
 
     @cached_property
     def enumerations(self) -> frozenset[str]:

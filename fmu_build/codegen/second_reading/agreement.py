@@ -28,7 +28,15 @@ class Size:
         self.largest = max([self.largest, *finite])
 
 
-def differ(points: Points, meant: Reading, found: Reading, size: Size, *, is_residual: bool = False) -> bool:
+def differ(
+    points: Points,
+    meant: Reading,
+    found: Reading,
+    size: Size,
+    *,
+    is_residual: bool = False,
+    is_complete: bool = False,
+) -> bool:
     """Return whether two readings have different values at one of the points.
 
     Args:
@@ -37,33 +45,42 @@ def differ(points: Points, meant: Reading, found: Reading, size: Size, *, is_res
         found: the values of what rumoca has made of it
         size: the numbers that `meant` enters
         is_residual: whether order and signs do not matter
+        is_complete: whether rumoca has left out nothing, as it may do with branches that are never chosen
 
     Raises:
         UnknownError: the values are not known; or the readings agree only as far as Booleans are true or
             false, or only for the values that Integer parameters have
     """
+    count_matters = is_residual or is_complete
     of_any_integers = False
     if points.has_integers:
         try:
-            of_any_integers = _differ(points.of_any_integers, meant, found, size, is_residual)
+            of_any_integers = _differ(points.of_any_integers, meant, found, size, is_residual, count_matters)
         except UnknownError:  # They may be sizes or subscripts.
             of_any_integers = False
         else:
             if not of_any_integers:
                 return False
-    if _differ(points.of_own_integers, meant, found, size, is_residual):
-        return _differ(points.of_replaced_names, meant, found, size, is_residual)
+    if _differ(points.of_own_integers, meant, found, size, is_residual, count_matters):
+        return _differ(points.of_replaced_names, meant, found, size, is_residual, count_matters)
     if of_any_integers:
         raise UnknownError
     return False
 
 
-def _differ(points: Sequence[Point], meant: Reading, found: Reading, size: Size, is_residual: bool) -> bool:
+def _differ(
+    points: Sequence[Point],
+    meant: Reading,
+    found: Reading,
+    size: Size,
+    is_residual: bool,
+    count_matters: bool,
+) -> bool:
     is_known = False
     for point in points:
         numbers, others = (_numbers(reading(point), is_residual=is_residual) for reading in (meant, found))
         if len(numbers) != len(others):
-            if not is_residual:  # Branches that are never chosen may be left out.
+            if not count_matters:
                 raise UnknownError
             return _certain(point)
         if not np.isfinite(numbers).all() or np.abs(numbers).max(initial=0) > _LARGEST:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import reduce
 from typing import Any, Final, Protocol, TypeAlias
 
 import numpy as np
@@ -15,8 +16,10 @@ from fmu_build.codegen.second_reading.expressions import (
     End,
     Expression,
     Matrix,
+    Member,
     Number,
     Operation,
+    Part,
     Reference,
     Span,
     expression,
@@ -72,8 +75,13 @@ class Names(Protocol):
     def applied(self, operator: str, reference: Chosen) -> Value:
         """Return the value of an operator for a variable, as ``der(x)``."""
 
-    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
-        """Return the result of a function that the source declares; None if it declares none."""
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        """Return the result in a place of a function that the source declares; None if it declares none."""
+
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        """Return a member of the record that a function or constructor has returned."""
 
 
 def value_of(tokens: Tokens, names: Names, iterators: Mapping[str, float] | None = None) -> Value:
@@ -87,6 +95,23 @@ def value_of(tokens: Tokens, names: Names, iterators: Mapping[str, float] | None
     except SyntaxError as error:
         raise UnknownError from error
     return _Evaluation(names, iterators or {}).of(tree)
+
+
+def results_of(
+    tokens: Tokens, places: Iterable[int], names: Names, iterators: Mapping[str, float] | None = None
+) -> list[Value]:
+    """Return the results in some places of the function that an expression calls.
+
+    Raises:
+        UnknownError: they are not known
+    """
+    try:
+        tree = expression(tokens)
+    except SyntaxError as error:
+        raise UnknownError from error
+    if not isinstance(tree, Call):
+        raise UnknownError
+    return [_Evaluation(names, iterators or {}).result(tree, place) for place in places]
 
 
 class _Evaluation:
@@ -115,6 +140,8 @@ class _Evaluation:
                 return span_of(self.of(tree.first), self.of(tree.step), self.of(tree.last))
             case Comprehension():
                 return self._comprehension(tree)
+            case Member():
+                return self._member(tree.record, (tree.name,))
             case End() if self._end is not None:
                 return as_value(self._end)
         raise UnknownError
@@ -175,15 +202,20 @@ class _Evaluation:
             return self._names.applied(tree.name, self._chosen(variable))
         if tree.name == "size":
             return self._size(tree)
-        arguments = [self.of(one) for one in tree.arguments]
-        rounded = smooth(tree.name, arguments) if self._is_smooth(tree) else None
-        if rounded is not None:
-            return rounded
+        rounded = smooth(tree.name, self._arguments(tree)) if self._is_smooth(tree) else None
+        return self.result(tree, 0) if rounded is None else rounded
+
+    def result(self, tree: Call, place: int) -> Value:
+        """Return the result of a function in a place."""
+        arguments = self._arguments(tree)
         named = {name: self.of(one) for name, one in tree.named}
-        found = self._names.called(tree.name, arguments, named)
-        if found is not None:
-            return found
-        return built_in(tree.name, arguments, named)
+        found = self._names.called(tree.name, arguments, named, place)
+        if found is None and place:
+            raise UnknownError
+        return built_in(tree.name, arguments, named) if found is None else found
+
+    def _arguments(self, tree: Call) -> list[Value]:
+        return [self.of(one) for one in tree.arguments]
 
     def _size(self, tree: Call) -> Value:
         if not 1 <= len(tree.arguments) <= 2:
@@ -199,6 +231,20 @@ class _Evaluation:
         if not 1 <= place <= len(sizes):
             raise UnknownError
         return as_value(sizes[place - 1])
+
+    def _member(self, record: Expression, names: tuple[str, ...]) -> Value:
+        """Return the value of a member of a record, of which the names are nested."""
+        match record:
+            case Member():
+                return self._member(record.record, (record.name, *names))
+            case Reference():
+                return self._reference(Reference((*record.parts, *map(Part, names))))
+            case Choice():
+                branches = ((condition, reduce(Member, names, one)) for condition, one in record.branches)
+                return self._choice(Choice(tuple(branches), reduce(Member, names, record.otherwise)))
+            case Call():
+                return self._names.member(record.name, self._call(record), names)
+        raise UnknownError
 
     def _comprehension(self, tree: Comprehension) -> Value:
         elements = self._elements(tree.body, tree.iterators)

@@ -1,94 +1,89 @@
-"""The functions that names mean, the defaults of their inputs and the sizes of their results.
-
-A function of a package has the constants of the heir through which it is called.
-"""
+"""The arguments of calls, with the defaults of inputs, and the sizes of results."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
-from fmu_build.codegen.second_reading.givens import NOWHERE, Scope
+from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, value_of
+from fmu_build.codegen.second_reading.functions import Function
+from fmu_build.codegen.second_reading.gathered import indexed, leaves_in
 from fmu_build.codegen.second_reading.instances import Instances
-from fmu_build.codegen.second_reading.operations import UnknownError, Value, is_built_in, whole
-from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
-from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, whole
+from fmu_build.codegen.second_reading.records import member_of
+from fmu_build.codegen.second_reading.syntax import Class
 
 
-@dataclass(frozen=True, slots=True)
-class Function:
-    """A function, and the package through which it is called, if others inherit it with other values."""
+def variables_of(instances: Instances, function: Function) -> Instances:
+    """Return the variables of a function."""
+    return instances.of_class(function.declared, function.heir)
 
-    library: Library
-    declared: Class
-    heir: Class | None
 
-    @property
-    def key(self) -> str:
-        """A text that no other function has."""
-        heir = f"{self.heir.qualified} " if self.heir is not None else ""
-        return f"{heir}{self.declared.file} {self.declared.start}"
+def all_arguments(
+    function: Function,
+    variables: Instances,
+    arguments: Sequence[Value],
+    named: Mapping[str, Value],
+    names_in: Callable[[Class], Names],
+) -> list[Value]:
+    """Return the arguments of a call with the defaults of the others.
 
-    @property
-    def inputs(self) -> Mapping[str, tuple[Class, Component]]:
-        """Its inputs in the order of their declaration, each with the class that declares it."""
-        return self._with("input")
+    Args:
+        function: the function
+        variables: its variables
+        arguments: the arguments without names
+        named: those with names
+        names_in: what names in a class mean, apart from the inputs
 
-    @property
-    def is_built_in(self) -> bool:
-        """Whether it only calls the built-in function of its name, as in Modelica.Math."""
-        name = self.declared.name
-        calls = (":=", name, "(", *" , ".join(self.inputs).split(), ")", ";")
-        end = 1 + len(calls)
-        return is_built_in(name) and any(
-            one.tokens[1:end] == calls and one.tokens[end : end + 1] in ((), ("annotation",))
-            for one in self.declared.algorithms
-        )
+    Raises `UnknownError` if one is not known.
+    """
+    inputs = function.inputs
+    if len(arguments) > len(inputs):
+        raise UnknownError
+    given = dict(zip(inputs, arguments, strict=False)) | dict(named)
+    defaults = function.defaults if len(given) < len(inputs) else {}
+    for name in inputs:
+        if name not in given:
+            if name not in defaults:
+                raise UnknownError
+            around, tokens = defaults[name]
+            given[name] = value_of(tokens, _Names(variables, given, names_in(around)))
+    return [given[name] for name in inputs]
 
-    def all_arguments(self, arguments: Sequence[Value], named: Mapping[str, Value]) -> list[Value]:
-        """Return the arguments of a call with the defaults of the others."""
-        if len(arguments) > len(self.inputs):
-            raise UnknownError
-        given = dict(zip(self.inputs, arguments, strict=False)) | dict(named)
-        bases = (base for one in self.library.lineage(self.declared) for base in one.bases)
-        if len(given) < len(self.inputs) and any(modifier.inner for _, modifier in bases):
-            raise UnknownError  # They may change defaults.
-        for name, (around, one) in self.inputs.items():
-            if name not in given:
-                given[name] = self._value(one.modifier.value, around, given)
-        return [given[name] for name in self.inputs]
 
-    def sizes(self, arguments: Sequence[Value]) -> tuple[int, ...]:
-        """Return the sizes of the result, which must be a single one of a predefined type."""
-        outputs = [*self._with("output").values()]
-        if len(outputs) != 1 or len(self.inputs) != len(arguments):
-            raise UnknownError
-        ((around, output),) = outputs
-        if output.type not in PREDEFINED:
-            raise UnknownError
-        given = dict(zip(self.inputs, arguments, strict=True))
-        return tuple(whole(self._value(tokens, around, given)) for tokens in output.dimensions)
+def sizes_of_result(
+    function: Function,
+    variables: Instances,
+    arguments: Sequence[Value],
+    place: int,
+    names_in: Callable[[Class], Names],
+) -> tuple[int, ...]:
+    """Return the sizes of a result, with arguments as above; that of a record is a vector.
 
-    def instances(self) -> Instances:
-        """Return its variables."""
-        return Instances(self.library, self.declared, heir=self.heir)
-
-    def _with(self, prefix: str) -> dict[str, tuple[Class, Component]]:
-        components = self.library.components(self.declared).items()
-        return {name: found for name, found in components if prefix in found[1].prefixes}
-
-    def _value(self, tokens: Tokens, around: Class, given: Mapping[str, Value]) -> Value:
-        return value_of(tokens, _Names(self.instances(), around, given))
+    Raises `UnknownError` if they are not known.
+    """
+    if place >= len(function.outputs):
+        raise UnknownError
+    name = [*function.outputs][place]
+    if name not in variables.leaves:
+        return (sum(math.prod(variables.sizes[leaf]) for leaf in leaves_in(variables, name)),)
+    # rumoca has an argument for each member of a record.
+    is_known = len(function.inputs) == len(arguments)
+    given = dict(zip(function.inputs, arguments, strict=True)) if is_known else {}
+    return tuple(
+        whole(value_of(tokens, _Names(variables, given, names_in(scope.around))))
+        for tokens, scope in variables.dimensions[name]
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class _Names:
-    """What names mean in declarations of a function."""
+    """What names mean in declarations of a function: its arguments, or what they mean otherwise."""
 
-    instances: Instances
-    around: Class
+    variables: Instances
     given: Mapping[str, Value]
+    others: Names
     is_smooth: bool = False
 
     def is_random(self, reference: Chosen) -> bool:
@@ -97,9 +92,13 @@ class _Names:
 
     def value(self, reference: Chosen) -> Value:
         ((name, subscripts), *further) = reference
-        if name in self.given and not subscripts and not further:
-            return self.given[name]
-        return self.instances.of_constant(reference, Scope(NOWHERE, self.around))
+        if name not in self.given:
+            return self.others.value(reference)
+        if not further:
+            return indexed(self.given[name], subscripts)
+        if subscripts or any(one for _, one in further):
+            raise UnknownError
+        return member_of(self.variables, name, self.given[name], [one for one, _ in further])
 
     def sizes(self, reference: Chosen) -> Sequence[int]:
         return self.value(reference).shape
@@ -107,44 +106,10 @@ class _Names:
     def applied(self, operator: str, reference: Chosen) -> Value:
         raise UnknownError
 
-    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
-        if self.instances.library.is_class(name, self.around):
-            raise UnknownError
-        return None
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        return self.others.member(name, result, members)
 
-
-def function_of(instances: Instances, name: str, scope: Scope) -> Function:
-    """Return the function that a name means in a scope; raises `UnknownError` if it is not known."""
-    library = instances.library
-    *path, last = name.split(".")
-    if path == [""]:
-        return plain_function(library, library.class_of(last), None)
-    if not path:
-        return plain_function(
-            library, library.meaning(name, scope.around), instances.lookup.around(name, scope)
-        )
-    package = instances.lookup.class_in(path, scope)
-    return plain_function(library, library.element(package, last), package)
-
-
-def plain_function(library: Library, found: Class | None, package: Class | None) -> Function:
-    """Return the function for which a class stands; raises `UnknownError` if it is not known."""
-    declared = _plain(library, found)
-    if declared is None or declared.kind != "function" or declared.is_short:
-        raise UnknownError
-    if declared.around is None or id(declared.around) not in library.changed:
-        return Function(library, declared, None)
-    heir = _plain(library, package)
-    if heir is None:
-        raise UnknownError
-    return Function(library, declared, heir)
-
-
-def _plain(library: Library, found: Class | None) -> Class | None:
-    """Return the class for which a short class without modifiers stands."""
-    while found is not None and found.is_short and found not in PREDEFINED.values():
-        base, modifier = found.bases[0]
-        if modifier.inner:
-            break
-        found = library.base(found, base)
-    return found
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        return self.others.called(name, arguments, named, place)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import Final
 
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
@@ -18,7 +19,7 @@ from fmu_build.codegen.second_reading.clauses import mistaken_clauses
 from fmu_build.codegen.second_reading.connections import Connections, mistaken_connections
 from fmu_build.codegen.second_reading.equations import mistaken_equations
 from fmu_build.codegen.second_reading.function_bodies import mistaken_functions
-from fmu_build.codegen.second_reading.givens import Text
+from fmu_build.codegen.second_reading.givens import Text, as_written
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import mistaken_packages
@@ -27,9 +28,14 @@ from fmu_build.codegen.second_reading.syntax import Class
 from fmu_build.codegen.second_reading.values import mistaken_values
 from fmu_build.codegen.second_reading.variables import mistaken_variables
 
+_LONGEST: Final = 60
 
-def reject_other_values(model: LoweredModel) -> None:
+
+def reject_other_values(model: LoweredModel) -> list[str]:
     """Raise an error for the first variable, equation or name of which rumoca makes something else.
+
+    Returns:
+        what could not be computed and was only compared by its names, each with its class
 
     Raises:
         ModelicaError: a modifier names what does not exist, or changes what is final; or a connection
@@ -48,16 +54,34 @@ def reject_other_values(model: LoweredModel) -> None:
     for mistake, name in (*instances.mistakes, *connections.mistakes):
         found = model.classes.find([rf"(?<![\w.]){re.escape(name)}\s*[(=](?!=)"])
         raise model.invalid(mistake, [construct.place for construct in found])
-    for difference, span in _differences(model, library, instances, connections):
+    unknown: list[Text] = []
+    in_functions: list[Text] = []
+    for difference, span in _differences(model, instances, connections, unknown, in_functions):
         raise model.unsupported(difference, span)
+    functions = [f"the function {one.scope.around.qualified}" for one in in_functions]
+    return [*dict.fromkeys([*(_described(one) for one in unknown if _is_own(one)), *functions])]
+
+
+def _is_own(text: Text) -> bool:
+    """Return whether a text is the user's, and no text that the generator has written."""
+    return bool(text.tokens) and not any(one.startswith("FmuBuild") for one in text.tokens)
+
+
+def _described(text: Text) -> str:
+    written = as_written(text.tokens)
+    short = written if len(written) <= _LONGEST else f"{written[:_LONGEST]}..."
+    return f"{short} in {text.scope.around.qualified}"
 
 
 def _differences(
-    model: LoweredModel, library: Library, instances: Instances, connections: Connections
+    model: LoweredModel,
+    instances: Instances,
+    connections: Connections,
+    unknown: list[Text],
+    in_functions: list[Text],
 ) -> Iterator[tuple[str, Span | None]]:
-    """Yield what differs, each with what to do and the place."""
-    unknown: list[Text] = []
-    in_functions: list[Text] = []
+    """Yield what differs, each with what to do and the place; what is not known is added to the lists."""
+    library = instances.library
     for difference, span in mistaken_values(model, instances, unknown):
         yield f"{difference}; declare the value in a class of its own", span
     for difference, span in (
@@ -67,11 +91,9 @@ def _differences(
         yield f"{difference}: the compiler has misread the class; write it another way", span
     for difference, span in mistaken_packages(model, library, instances):
         yield f"{difference}: the compiler looks up the name in the wrong class; write its full name", span
-    for difference, span in mistaken_functions(model, library, unknown, in_functions):
+    for difference, span in mistaken_functions(model, instances, unknown, in_functions):
         yield f"{difference}: the compiler has misread the function; write it another way", span
-    yield from _of_unknown(
-        model, library, instances, [*unknown, *unknown_declarations(instances)], in_functions
-    )
+    yield from _of_unknown(model, instances, [*unknown, *unknown_declarations(instances)], in_functions)
     for what, around in instances.unknown:
         yield f"{what} cannot be checked; declare a class of its own for the component", _place(model, around)
     for difference in mistaken_variables(model, instances):
@@ -81,9 +103,10 @@ def _differences(
 
 
 def _of_unknown(
-    model: LoweredModel, library: Library, instances: Instances, unknown: list[Text], in_functions: list[Text]
+    model: LoweredModel, instances: Instances, unknown: list[Text], in_functions: list[Text]
 ) -> Iterator[tuple[str, Span | None]]:
     """Yield what might differ in texts that cannot be compared."""
+    library = instances.library
     for difference, around in (
         *captured_names(instances, unknown),
         *captured_in_packages(library),

@@ -11,13 +11,12 @@ from typing import Any
 
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.agreement import Size
-from fmu_build.codegen.second_reading.arithmetic import value_of
+from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
 from fmu_build.codegen.second_reading.compiled_values import CompiledValues
 from fmu_build.codegen.second_reading.gathered import gathered, indexed
 from fmu_build.codegen.second_reading.givens import Scope
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
 from fmu_build.codegen.second_reading.points import Point, source_names
-from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.sections import Branches, Call, Equation, Loop, Statement, When
 from fmu_build.codegen.second_reading.syntax import Tokens
 
@@ -45,21 +44,36 @@ class _Source:
     def of(self, inner: Sequence[Statement]) -> Iterator[Value]:
         for one in inner:
             if isinstance(one, Equation):
-                yield self._value(one.left)
-                yield self._value(one.right)
+                yield from self._equation(one)
             elif isinstance(one, Branches | When):
                 for condition, body in one.branches:
                     if condition:
                         yield self._value(condition)
                     yield from self.of(body)
             elif isinstance(one, Loop):
-                instances = self._point.instances
-                for each in points(instances, self._scope, one.iterators, self._iterators):
-                    yield from _Source(self._point, self._scope, each).of(one.body)
+                yield from self._loop(one.iterators, one.body)
             elif isinstance(one, Call):
                 yield from self._call(one)
             else:
                 raise UnknownError
+
+    def _loop(self, ranges: Sequence[tuple[str, Tokens]], body: Sequence[Statement]) -> Iterator[Value]:
+        if not ranges:
+            yield from self.of(body)
+            return
+        (name, numbers), *inner = ranges
+        for number in self._value(numbers).flat:
+            each = {**self._iterators, name: float(number)}
+            yield from _Source(self._point, self._scope, each)._loop(inner, body)
+
+    def _equation(self, one: Equation) -> Iterator[Value]:
+        results = one.results
+        yield from map(self._value, results.values() or (one.left,))
+        if results:
+            names = source_names(self._point, self._scope)
+            yield from results_of(one.right, results, names, self._iterators)
+        else:
+            yield self._value(one.right)
 
     def _call(self, one: Call) -> Iterator[Value]:
         count = {"reinit": 2, "assert": 1, "terminate": 0, "return": 0}.get(one.name)
@@ -124,12 +138,21 @@ class _Compiled:
         yield from self.of(content["else_branch"] or ())
 
     def _assignment(self, content: Mapping[str, Any]) -> Iterator[Value]:
+        yield self._target(content["comp"])
+        yield self._values.of(content["value"])
+
+    def _functioncall(self, content: Mapping[str, Any]) -> Iterator[Value]:
+        outputs = {place: one for place, one in enumerate(content["outputs"]) if one is not None}
+        yield from map(self._target, outputs.values())
+        for place in outputs:
+            yield self._values.result(content["comp"]["name"], content, place)
+
+    def _target(self, component: Mapping[str, Any]) -> Value:
         reference = [
             (part["ident"], [self._values.subscript(one) for one in part["subs"]])
-            for part in content["comp"]["parts"]
+            for part in component["parts"]
         ]
-        yield gathered(self._point.instances, "", reference, self._point.of)
-        yield self._values.of(content["value"])
+        return gathered(self._point.instances, "", reference, self._point.of)
 
     def _if(self, content: Mapping[str, Any]) -> Iterator[Value]:
         yield from self._branches([(one["cond"], one["stmts"]) for one in content["cond_blocks"]])

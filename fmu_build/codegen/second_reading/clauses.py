@@ -18,7 +18,7 @@ from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.points import Points
 from fmu_build.codegen.second_reading.residuals import kept_names
-from fmu_build.codegen.second_reading.sections import Call, Statement, When, statements
+from fmu_build.codegen.second_reading.sections import Call, Statement, When, has_branches, statements
 from fmu_build.codegen.second_reading.syntax import Section
 
 Difference = tuple[str, Span]
@@ -123,6 +123,7 @@ class _Clauses:
             lambda point: source_values(point, self._scope, inner, size),
             lambda point: compiled_values(self._model, point, trees),
             size,
+            is_complete=not has_branches(inner),
         )
 
     def _by_names(self, trees: Trees) -> Iterator[Difference]:

@@ -8,8 +8,10 @@ from typing import Any, Final
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import OPERATORS, built_in
-from fmu_build.codegen.second_reading.called_functions import Function, plain_function
-from fmu_build.codegen.second_reading.gathered import indexed
+from fmu_build.codegen.second_reading.called_functions import variables_of
+from fmu_build.codegen.second_reading.functions import Function, plain_function
+from fmu_build.codegen.second_reading.gathered import flattened, gathered, indexed
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import (
     UnknownError,
     Value,
@@ -23,6 +25,7 @@ from fmu_build.codegen.second_reading.operations import (
     unary,
 )
 from fmu_build.codegen.second_reading.points import Point
+from fmu_build.codegen.second_reading.records import Constructor, constructor, member_of
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -85,8 +88,10 @@ class CompiledValues:
             value = self._point.of(name)
         elif name in ordinals:
             value = as_value(ordinals[name])
+        elif name in self._point.instances.order and not content["subscripts"]:
+            return gathered(self._point.instances, name, [], self._point.of)
         else:
-            raise UnknownError
+            value = self._point.of(member_of_input(self._point.instances, name))
         return indexed(value, self._subscripts(content))
 
     def _subscripts(self, content: Mapping[str, Any]) -> Sequence[Value | None]:
@@ -103,6 +108,8 @@ class CompiledValues:
         if content["op"] not in _SIGNS:
             raise UnknownError
         sign, sides = _SIGNS[content["op"]], (content["lhs"], content["rhs"])
+        if sign == "-" and "Tuple" in content["lhs"]:
+            return self._results(*sides)
         operands = [self.of(one) for one in sides]
         found = smooth(sign, operands) if self._is_smooth(sides) else None
         return binary(sign, *operands) if found is None else found
@@ -180,15 +187,82 @@ class CompiledValues:
         return indexed(whole, self._subscripts(content))
 
     def _functioncall(self, content: Mapping[str, Any]) -> Value:
-        function = self._model.flat["functions"].get(content["name"]["name"])
-        if function is None or content["is_constructor"]:
+        name = content["name"]["name"]
+        return self._constructed(content) if content["is_constructor"] else self.result(name, content, 0)
+
+    def _constructed(self, content: Mapping[str, Any]) -> Value:
+        found, names = self._constructor(content)
+        values = [self.of(one) for one in content["args"]]
+        return self._point.constructed(found, [], dict(zip(names, values, strict=True)))
+
+    def _constructor(self, content: Mapping[str, Any]) -> tuple[Constructor, list[str]]:
+        """Return the constructor that is called, and the names of its arguments in rumoca's order."""
+        name = content["name"]["name"]
+        function, instances = self._function(name), self._point.instances
+        declared, package = compiled_class(self._model, instances.library, function, self._around(content))
+        found = constructor(instances, declared, package)
+        if found is None:
             raise UnknownError
-        library, span = self._point.instances.library, content["span"]
+        return found, [one["name"] for one in function["inputs"]]
+
+    def _fieldaccess(self, content: Mapping[str, Any]) -> Value:
+        names, ((kind, base),) = [content["field"]], content["base"].items()
+        while kind == "FieldAccess":
+            names.insert(0, base["field"])
+            ((kind, base),) = base["base"].items()
+        if kind != "FunctionCall":
+            raise UnknownError
+        record = self._functioncall(base)
+        if base["is_constructor"]:
+            return member_of(self._constructor(base)[0].variables, "", record, names)
+        instances = self._point.instances
+        function = compiled_function(
+            self._model, instances.library, self._function(base["name"]["name"]), self._around(base)
+        )
+        output, *_ = function.outputs
+        return member_of(variables_of(instances, function), output, record, names)
+
+    def result(self, name: str, content: Mapping[str, Any], place: int) -> Value:
+        """Return the result in a place of a call of a function."""
+        library = self._point.instances.library
+        found = compiled_function(self._model, library, self._function(name), self._around(content))
+        return self._point.result(found, [self.of(one) for one in content["args"]], place)
+
+    def _function(self, name: str) -> Mapping[str, Any]:
+        found: Mapping[str, Any] | None = self._model.flat["functions"].get(name)
+        if found is None:
+            raise UnknownError
+        return found
+
+    def _around(self, content: Mapping[str, Any]) -> Class:
+        """Return the class in which a call stands."""
+        span = content["span"]
         if span["source"] not in self._model.sources:
             raise UnknownError
-        around = library.class_at(span["source"], self._model.offset(span))
-        found = compiled_function(self._model, library, function, around)
-        return self._point.result(found, [self.of(one) for one in content["args"]])
+        return self._point.instances.library.class_at(span["source"], self._model.offset(span))
+
+    def _results(self, names: Mapping[str, Any], call: Mapping[str, Any]) -> Value:
+        """Return the residuals of ``(a, b) = f(x)``."""
+        if call.keys() != {"FunctionCall"}:
+            raise UnknownError
+        content, pairs = call["FunctionCall"], []
+        for place, variable in enumerate(names["Tuple"]["elements"]):
+            if "Empty" not in variable:
+                pairs.append((self.of(variable), self.result(content["name"]["name"], content, place)))
+        if any(a.shape != b.shape for a, b in pairs):
+            raise UnknownError
+        return flattened(a - b for a, b in pairs)
+
+
+def member_of_input(instances: Instances, name: str) -> str:
+    """Return the member of a record for which rumoca has made an input with this name, as ``r_a``.
+
+    Raises `UnknownError` if there is none, or more than one.
+    """
+    found = [one for one in instances.leaves if "." in one and one.replace(".", "_") == name]
+    if len(found) != 1:
+        raise UnknownError
+    return found[0]
 
 
 def compiled_function(
@@ -198,9 +272,16 @@ def compiled_function(
 
     Raises `UnknownError` if it is not known.
     """
+    return plain_function(library, *compiled_class(model, library, function, around))
+
+
+def compiled_class(
+    model: LoweredModel, library: Library, function: Mapping[str, Any], around: Class
+) -> tuple[Class, Class | None]:
+    """Return the class of a function or record that is called in a class, and the package that it names."""
     span = function["span"]
     if span["source"] not in model.sources:
         raise UnknownError
     *path, _ = function["name"].split(".")
     package = library.default(".".join(path), around) if path else None
-    return plain_function(library, library.class_at(span["source"], model.offset(span)), package)
+    return library.class_at(span["source"], model.offset(span)), package

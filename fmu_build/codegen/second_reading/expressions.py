@@ -105,8 +105,16 @@ class Comprehension:
     iterators: tuple[tuple[str, Expression], ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Member:
+    """A member of a record that an expression gives, as ``f(x).a``; a source cannot contain this."""
+
+    record: Expression
+    name: str
+
+
 Expression: TypeAlias = (
-    "Number | Reference | End | Operation | Choice | Call | Array | Matrix | Span | Comprehension"
+    "Number | Reference | End | Operation | Choice | Call | Array | Matrix | Span | Comprehension | Member"
 )
 
 
@@ -217,6 +225,12 @@ class _Reader:
         return found
 
     def _primary(self) -> Expression:
+        found = self._operand()
+        while self._takes("."):
+            found = Member(found, self._take())
+        return found
+
+    def _operand(self) -> Expression:
         first = self._take()
         if first[0].isdigit():
             return Number(float(first))

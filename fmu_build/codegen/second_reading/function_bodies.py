@@ -9,26 +9,35 @@ from typing import Any
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.agreement import Size, differ
-from fmu_build.codegen.second_reading.called_functions import Function
+from fmu_build.codegen.second_reading.arithmetic import value_of
+from fmu_build.codegen.second_reading.called_functions import variables_of
 from fmu_build.codegen.second_reading.clause_values import compiled_values, source_values
-from fmu_build.codegen.second_reading.compiled_values import compiled_function
+from fmu_build.codegen.second_reading.compiled_values import (
+    CompiledValues,
+    compiled_function,
+    member_of_input,
+)
+from fmu_build.codegen.second_reading.functions import Function
+from fmu_build.codegen.second_reading.gathered import flattened, leaves_in
 from fmu_build.codegen.second_reading.givens import Scope, Text, nowhere
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import UnknownError
-from fmu_build.codegen.second_reading.points import Points
+from fmu_build.codegen.second_reading.points import Points, source_names
 from fmu_build.codegen.second_reading.residuals import kept_names, value_differs
 from fmu_build.codegen.second_reading.scopes import Library
-from fmu_build.codegen.second_reading.sections import statements
+from fmu_build.codegen.second_reading.sections import has_branches, statements
 from fmu_build.codegen.second_reading.syntax import Class
 
 
 def mistaken_functions(
-    model: LoweredModel, library: Library, unknown: list[Text], in_functions: list[Text]
+    model: LoweredModel, instances: Instances, unknown: list[Text], in_functions: list[Text]
 ) -> Iterator[tuple[str, Span]]:
     """Yield functions in which something differs in the compiler's reading, and where these stand.
 
     The texts of functions that cannot be compared are added to `in_functions`, or to `unknown` if it
     is not known through which package they are called.
     """
+    library = instances.library
     callers = _callers(model, library)
     for one in model.flat["functions"].values():
         span = one["span"]
@@ -39,10 +48,11 @@ def mistaken_functions(
         try:
             function = compiled_function(model, library, one, callers[one["name"]])
         except (KeyError, UnknownError):
-            unknown.append(text)
+            if not one["is_constructor"]:  # All calls of these have all arguments.
+                unknown.append(text)
             continue
         try:
-            if _differs(model, function, one):
+            if _differs(model, function, variables_of(instances, function), one):
                 yield f"the function {owner.name} differs in the compiler's reading", span
         except (SyntaxError, UnknownError):
             in_functions.append(text)
@@ -52,37 +62,78 @@ def _callers(model: LoweredModel, library: Library) -> dict[str, Class]:
     """Return a class in which each function is called."""
     found = {}
     for call in expressions(model.flat, "FunctionCall"):
-        name, span = call.get("name", {}).get("name"), call["span"]
-        if name is not None and span["source"] in model.sources:
+        called = call["comp"] if "comp" in call else call["name"]
+        span = call["span"] if "span" in call else called["span"]
+        if span["source"] in model.sources:
             with suppress(UnknownError):
-                found[name] = library.class_at(span["source"], model.offset(span))
+                found[called["name"]] = library.class_at(span["source"], model.offset(span))
     return found
 
 
-def _differs(model: LoweredModel, function: Function, one: Mapping[str, Any]) -> bool:
+def _differs(model: LoweredModel, function: Function, variables: Instances, one: Mapping[str, Any]) -> bool:
     """Return whether a function differs from that of the source.
 
     Raises `SyntaxError` or `UnknownError` if that is not known.
     """
-    instances = function.instances()
-    for variable in (*one["inputs"], *one["outputs"], *one["locals"]):
-        leaf = instances.leaves.get(variable["name"])
-        if leaf is None or bool(leaf.given.value) != (variable["default"] is not None):
-            raise UnknownError
-        if variable["default"] is not None and value_differs(
-            model, instances, leaf.given, leaf.sizes, variable["default"]
-        ):
-            return True
+    if any(
+        _default_differs(model, variables, variable) or _sizes_differ(model, variables, variable)
+        for variable in (*one["inputs"], *one["outputs"], *one["locals"])
+    ):
+        return True
     sections = [
         (base, section) for base in function.library.lineage(function.declared) for section in base.algorithms
     ]
     if len(sections) != 1 or one["external"] is not None:
         raise UnknownError
     ((base, section),) = sections
-    size, points = Size(), Points(instances, kept_names(one["body"]))
+    inner, size, points = statements(section), Size(), Points(variables, kept_names(one["body"]))
     return differ(
         points,
-        lambda point: source_values(point, Scope("", base), statements(section), size),
+        lambda point: source_values(point, Scope("", base), inner, size),
         lambda point: compiled_values(model, point, one["body"]),
         size,
+        is_complete=not has_branches(inner),
+    )
+
+
+def _default_differs(model: LoweredModel, variables: Instances, one: Mapping[str, Any]) -> bool:
+    name, default = one["name"], one["default"]
+    if name in variables.order:
+        if default is None:
+            return False
+        leaves = [*leaves_in(variables, name)]
+        if not all(variables.leaves[leaf].given.value for leaf in leaves):
+            raise UnknownError  # rumoca has made up a value.
+        points = Points(variables, kept_names([default]))
+        return differ(
+            points,
+            lambda point: [flattened(point.own(leaf) for leaf in leaves)],
+            lambda point: [CompiledValues(model, point, {}).of(default)],
+            Size(),
+        )
+    if name not in variables.leaves and default is None and member_of_input(variables, name):
+        return False  # It is an argument, whatever is declared for the members of the record.
+    leaf = variables.leaves[name]
+    if bool(leaf.given.value) != (default is not None):
+        raise UnknownError
+    return default is not None and value_differs(model, variables, leaf.given, leaf.sizes, default)
+
+
+def _sizes_differ(model: LoweredModel, variables: Instances, one: Mapping[str, Any]) -> bool:
+    name, compiled = one["name"], [each["Expr"]["expr"] for each in one["shape_expr"] if "Expr" in each]
+    if not compiled or name not in variables.dimensions:
+        return False
+    dimensions = [(tokens, scope) for tokens, scope in variables.dimensions[name] if tokens != (":",)]
+    if len(dimensions) != len(one["shape_expr"]):
+        raise UnknownError
+    meant = [
+        (tokens, scope)
+        for (tokens, scope), each in zip(dimensions, one["shape_expr"], strict=True)
+        if "Expr" in each
+    ]
+    return differ(
+        Points(variables, kept_names(compiled)),
+        lambda point: [value_of(tokens, source_names(point, scope)) for tokens, scope in meant],
+        lambda point: [CompiledValues(model, point, {}).of(tree) for tree in compiled],
+        Size(),
     )

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Container, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from typing import Protocol
+
+import numpy as np
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen
 from fmu_build.codegen.second_reading.givens import joined
@@ -12,7 +14,7 @@ from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_
 
 
 class Sizes(Protocol):
-    """The variables of a model, and the sizes of all components by path."""
+    """The variables of a model, the sizes of all components, and the members of those of classes, by path."""
 
     @property
     def leaves(self) -> Container[str]:
@@ -22,16 +24,23 @@ class Sizes(Protocol):
     def sizes(self) -> Mapping[str, Sequence[int]]:
         """The sizes."""
 
+    @property
+    def order(self) -> Mapping[str, Sequence[str]]:
+        """The members in the order of their declaration, inherited ones first."""
+
 
 def gathered(instances: Sizes, path: str, reference: Chosen, of_leaf: Callable[[str], Value]) -> Value:
     """Return the value of a reference to a member of a component, with the values of its variables.
 
-    Raises `UnknownError` if it means no variable, or an element that is not there.
+    That of a record is a vector of the values of its members. Raises `UnknownError` if the reference means
+    no variable, or an element that is not there.
     """
+    if not reference:
+        return flattened([of_leaf(leaf) for leaf in leaves_in(instances, path)])
     (name, subscripts), *further = reference
     path = joined(path, name)
-    if not further:
-        if path not in instances.leaves:
+    if path in instances.leaves:
+        if further:
             raise UnknownError
         return indexed(of_leaf(path), subscripts)
     places, shape = _places(instances, path, subscripts)
@@ -39,6 +48,27 @@ def gathered(instances: Sizes, path: str, reference: Chosen, of_leaf: Callable[[
     if not values or any(one.shape != values[0].shape for one in values):
         raise UnknownError
     return as_value(values).reshape((*shape, *values[0].shape))
+
+
+def leaves_in(instances: Sizes, path: str) -> Iterator[str]:
+    """Yield the paths of the variables in a component in the order of their declaration.
+
+    Raises `UnknownError` if they are not known.
+    """
+    if path not in instances.order:
+        raise UnknownError
+    for name in instances.order[path]:
+        member = joined(path, name)
+        if member in instances.leaves:
+            yield member
+        else:
+            for one in _places(instances, member, ())[0]:
+                yield from leaves_in(instances, one)
+
+
+def flattened(values: Iterable[Value]) -> Value:
+    """Return the numbers of all values as a vector."""
+    return np.concatenate([np.empty(0), *(one.reshape(-1) for one in values)])
 
 
 def sizes_of(instances: Sizes, path: str, reference: Chosen) -> Sequence[int]:

@@ -19,6 +19,12 @@ Mistake = tuple[str, str]
 """What is invalid, and the name that it is about."""
 
 
+ATTRIBUTES: Final = frozenset(
+    ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
+)
+"""The attributes of the predefined types."""
+
+
 @dataclass(frozen=True, slots=True)
 class Scope:
     """Where an expression stands: the path of a component, and the class of it, or a base of that."""
@@ -41,6 +47,7 @@ class Given:
 
     `type` is that of a redeclaration, which stands in the scope `type_scope`, else empty.
     Of an array for the elements of an array of components, `place` selects those of this component.
+    `is_over_others` is for the value of a whole record that holds instead of values of its members.
     """
 
     value: Tokens = ()
@@ -53,6 +60,7 @@ class Given:
     redeclares: bool = False
     place: tuple[int, ...] = ()
     is_used_up: bool = False
+    is_over_others: bool = False
 
     def chosen(self, value: Value) -> Value:
         """Return the element of a value for this component; raises `UnknownError` if there is none."""
@@ -141,15 +149,26 @@ def both(path: str, outer: Given | None, inner: Given | None, mistakes: list[Mis
         what = f"{path} is final and cannot be given another value"
         mistakes.append((what, path.rpartition(".")[2]))
     first = outer if outer.value else inner
+    own_inner = without_values(inner).inner if outer.value else inner.inner
     is_unclear = bool(outer.inner and inner.inner) and outer.each != inner.each
     return replace(
         first,
-        inner=merged(path, outer.inner, inner.inner, mistakes),
+        inner=merged(path, outer.inner, own_inner, mistakes),
         final=outer.final or inner.final,
         type=outer.type or inner.type,
         type_scope=outer.type_scope if outer.type else inner.type_scope,
         redeclares=outer.redeclares or inner.redeclares or is_unclear,
+        is_over_others=outer.is_over_others or inner.is_over_others or own_inner != inner.inner,
     )
+
+
+def without_values(given: Given) -> Given:
+    """Return what is given but for values of members; attributes, as ``start``, and final values stay."""
+    inner = {
+        name: one if name in ATTRIBUTES or one.final else without_values(one)
+        for name, one in given.inner.items()
+    }
+    return replace(given, value=(), inner=inner)
 
 
 def as_written(tokens: Tokens) -> str:

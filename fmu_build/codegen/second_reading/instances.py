@@ -13,8 +13,10 @@ from dataclasses import dataclass
 from typing import Final
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
-from fmu_build.codegen.second_reading.gathered import gathered, indexed, sizes_of
+from fmu_build.codegen.second_reading.functions import function_of
+from fmu_build.codegen.second_reading.gathered import gathered, sizes_of
 from fmu_build.codegen.second_reading.givens import (
+    ATTRIBUTES,
     NOWHERE,
     Given,
     Mistake,
@@ -30,7 +32,15 @@ from fmu_build.codegen.second_reading.givens import (
 )
 from fmu_build.codegen.second_reading.invalid import repeated_classes, repeated_components, unknown_names
 from fmu_build.codegen.second_reading.lookup import Lookup
-from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError, Value, as_value, scalar
+from fmu_build.codegen.second_reading.operations import (
+    ChangedError,
+    UnknownError,
+    Value,
+    as_value,
+    called,
+    scalar,
+)
+from fmu_build.codegen.second_reading.record_values import RecordValues, has_values
 from fmu_build.codegen.second_reading.redeclarations import Member, Redeclarations, redeclared_classes
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
@@ -40,6 +50,8 @@ _INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
+#: The size of arrays of functions that depends on arguments.
+_FREE_SIZE: Final = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +100,19 @@ class _Names:
     def applied(self, operator: str, reference: Chosen) -> Value:
         raise UnknownError
 
-    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
-        if self.instances.library.is_class(name, self.scope.around):
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        raise UnknownError
+
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        library = self.instances.library
+        if not library.is_class(name, self.scope.around):
+            return None
+        function = function_of(library, self.instances.lookup, name, self.scope)
+        if not function.is_built_in or named or place:
             raise UnknownError
-        return None
+        return called(function.declared.name, arguments)
 
 
 class Instances:
@@ -102,6 +123,7 @@ class Instances:
         parts: the other components by path, with the subscripts of arrays; the path of the model is empty
         sizes: of all components, by path; the last name has no subscripts
         dimensions: the expressions of all sizes, also of those that are not known, with their scopes
+        order: the names of the members of components in the order of their declaration
         absent: the paths of components whose conditions are false
         mistakes: what is invalid in the modifiers, each with the name that it is about
         unknown: what rumoca may have lost without a trace, with the class in which it stands
@@ -128,17 +150,23 @@ class Instances:
         self.parts: dict[str, Part] = {}
         self.sizes: dict[str, tuple[int, ...]] = {}
         self.dimensions: dict[str, list[tuple[Tokens, Scope]]] = {}
+        self.order: dict[str, list[str]] = {}
         self.absent: set[str] = set()
         self.mistakes: list[Mistake] = []
         self.unknown: list[tuple[str, Class]] = []
         self.library = library
         self._members: dict[str, set[str]] = {}
         self._packages = {} if packages is None else packages
+        self._others: dict[tuple[int, int], Instances] = {}
         self.lookup = Lookup(library)
         if heir is not None:
             self.lookup.heirs[""] = heir
         self._redeclarations = Redeclarations(library, self.lookup, self.mistakes)
+        self._records = RecordValues(
+            library, self.lookup, self._redeclarations, self._components, self._dimensions
+        )
         self._evaluating: set[str] = set()
+        self._has_free_sizes = False
         self._outer: set[str] = set()
         self._inner: set[str] = set()
         self.nowhere = nowhere(owner)
@@ -217,26 +245,27 @@ class Instances:
         raise UnknownError
 
     def of_constant(self, reference: Chosen, scope: Scope) -> Value:
-        """Return the value of a constant of a package, or of elements of it."""
-        *path, (_, subscripts) = reference
-        if any(one for _, one in path):
-            raise UnknownError
-        return indexed(self.constant(".".join(name for name, _ in reference), scope), subscripts)
-
-    def sizes_of(self, reference: Chosen, scope: Scope) -> Sequence[int]:
-        """Return the sizes of an array; raises `UnknownError` if they are not known."""
-        path = self.path_of(reference, scope)
-        if path is not None:
-            return sizes_of(self, path, reference)
-        return self.of_constant(reference, scope).shape
-
-    def constant(self, name: str, scope: Scope) -> Value:
-        """Return the value of a constant of a package that a name means in a scope.
+        """Return the value of a constant of a package, or of a member or elements of it.
 
         Raises `UnknownError` if it means something else, or the value is not known.
         """
-        owner, last = self.lookup.constant(name, scope)
-        if last in owner.literals:
+        names = [name for name, _ in reference]
+        for count in range(len(names), 0, -1):
+            if any(one for _, one in reference[: count - 1]):
+                continue
+            try:
+                owner, last = self.lookup.constant(".".join(names[:count]), scope)
+                return self._of_package(owner, [(last, reference[count - 1][1]), *reference[count:]])
+            except ChangedError:
+                raise
+            except UnknownError:
+                continue  # Another name may be that of a record.
+        raise UnknownError
+
+    def _of_package(self, owner: Class, reference: Chosen) -> Value:
+        """Return the value of a constant in a package, or of a literal of an enumeration."""
+        last = reference[0][0]
+        if last in owner.literals and len(reference) == 1:
             return as_value(owner.literals.index(last) + 1)
         if owner.kind != "package":
             raise UnknownError
@@ -246,9 +275,24 @@ class Instances:
         package = self._packages[id(owner)]
         if package is self:
             raise UnknownError
-        if last not in package.leaves:
-            raise UnknownError
-        return package.known(last)
+        return gathered(package, "", reference, package.known)
+
+    def sizes_of(self, reference: Chosen, scope: Scope) -> Sequence[int]:
+        """Return the sizes of an array; raises `UnknownError` if they are not known."""
+        path = self.path_of(reference, scope)
+        if path is not None:
+            return sizes_of(self, path, reference)
+        return self.of_constant(reference, scope).shape
+
+    def of_class(self, other: Class, heir: Class | None) -> Instances:
+        """Return the variables of a function or record, with the package through which it is called."""
+        key = (id(other), id(heir))
+        if key not in self._others:
+            self._others[key] = Instances(self.library, other, self._packages, heir)
+        return self._others[key]
+
+    def _dimensions(self, name: Tokens, scope: Scope) -> int:
+        return self.value_of(("size", "(", *name, ")"), scope).size
 
     def _expand(
         self, path: str, owner: Class, given: Mapping[str, Given], prefixes: frozenset[str], depth: int
@@ -269,6 +313,7 @@ class Instances:
         }
         if not is_known:
             return
+        self.order[path] = [one.component.name for one in members]
         with suppress(UnknownError):
             self.parts[path] = Part(tuple(self.library.lineage(owner)), owner.kind)
         self.mistakes += unknown_names(self.library, path, owner, given, names)
@@ -288,7 +333,11 @@ class Instances:
                     )
                 except UnknownError:
                     unknown.append(member)
-            if len(unknown) == len(before):
+            if len(unknown) == len(before) and owner.kind == "function" and not self._has_free_sizes:
+                self._has_free_sizes = True
+            elif len(unknown) == len(before):
+                for member in unknown:
+                    self._unknown(path, member)
                 break
 
     def _components(self, path: str, owner: Class, given: Mapping[str, Given]) -> Iterator[Member]:
@@ -347,52 +396,63 @@ class Instances:
             self._add_leaf(name, component, kind, leaf)
         elif given.value and given.type:
             self.unknown.append((f"the value of {name}, which a modifier redeclares,", member.around))
-        elif given.value and kind.kind == "record" and prefixes & {"parameter", "constant"}:
-            self._record(name, whole, kind, prefixes, depth, member.around)
+        elif given.value and kind.kind == "record":
+            for subscripts, places in self._elements(sizes):
+                inner = self._records.members(name + subscripts, element(whole, places), kind)
+                self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
         elif not given.value and "expandable" not in kind.prefixes:
-            if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
-                raise UnknownError
-            for places in itertools.product(*map(range, sizes)):
-                subscripts = f"[{','.join(str(one + 1) for one in places)}]" if places else ""
+            for subscripts, places in self._elements(sizes):
                 inner = {key: element(one, places) for key, one in whole.inner.items()}
                 self._expand(name + subscripts, kind, inner, prefixes, depth + 1)
 
-    def _record(
-        self, name: str, given: Given, kind: Class, prefixes: frozenset[str], depth: int, around: Class
-    ) -> None:
-        """Add the members of a record that is given a value as a whole."""
-        if self.sizes[name]:
-            if "(" in given.value and kind.bases:
-                self.unknown.append((f"the value of {name}, an array of records that inherit,", around))
-            return
-        inner = {**given.inner, **self._redeclarations.members(given, kind)}
-        self._expand(name, kind, inner, prefixes, depth + 1)
+    def _elements(self, sizes: Sequence[int]) -> Iterator[tuple[str, tuple[int, ...]]]:
+        """Yield the subscripts and places of the elements of an array."""
+        if math.prod(sizes) > _MOST_ELEMENTS or len(self.leaves) > _MOST_LEAVES:
+            raise UnknownError
+        for places in itertools.product(*map(range, sizes)):
+            yield f"[{','.join(str(one + 1) for one in places)}]" if places else "", places
+
+    def _unknown(self, path: str, member: Member) -> None:
+        """Take note of a record with a whole value that is not known, if it has other values, too."""
+        with suppress(UnknownError):
+            kind, attributes = self._redeclarations.kind(path, member)
+            given = both("", member.given, attributes, [])
+            while kind.is_short:
+                base, modifier = kind.bases[0]
+                given = both("", given, given_by(modifier, self.nowhere), [])
+                kind = self.library.base(kind, base)
+            is_whole = bool(given.value) and kind.kind == "record"
+            if is_whole and (given.is_over_others or has_values(self.library, kind)):
+                name = joined(path, member.component.name)
+                self.unknown.append((f"the value of {name}, whose members have others,", member.around))
 
     def _add_leaf(self, name: str, component: Component, kind: Class, leaf: Leaf) -> None:
         has_text = kind is PREDEFINED["String"]  # of which nothing is left in the tokens
         if "constant" in component.prefixes and not (leaf.given.value or has_text):
             self.mistakes.append((f"the constant {name} has no value", component.name))
-        for attribute in sorted(leaf.given.inner.keys() - _ATTRIBUTES):
+        for attribute in sorted(leaf.given.inner.keys() - ATTRIBUTES):
             self.mistakes.append((f"{name} has no attribute {attribute}", attribute))
         self.leaves[name] = leaf
 
     def _size(self, tokens: Tokens, scope: Scope) -> int:
-        size = self.number(tokens, scope)
+        try:
+            size = self.number(tokens, scope)
+        except UnknownError:
+            if not self._has_free_sizes:
+                raise
+            return _FREE_SIZE
         if size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
             raise UnknownError
         return int(size)
 
     def _size_of_value(self, given: Given, place: int) -> int:
         """Return a size that follows from the value."""
+        if self._has_free_sizes and not given.value:
+            return _FREE_SIZE
         shape = self.value(given).shape
         if place >= len(shape):
             raise UnknownError
         return int(shape[place])
-
-
-_ATTRIBUTES: Final = frozenset(
-    ("quantity", "unit", "displayUnit", "min", "max", "start", "fixed", "nominal", "stateSelect", "unbounded")
-)
 
 
 def around(name: str) -> Iterator[str]:

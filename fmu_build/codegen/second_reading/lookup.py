@@ -69,8 +69,8 @@ class Lookup:
             return self._library.class_of(".".join(rest))
         given = self.given.get((scope.path, id(scope.around)))
         own = self._library.declaration(scope.around, first) if given is not None else None
-        if given is not None and first in given:
-            other = given[first]
+        other = self.redeclared(first, scope)
+        if other is not None:
             if not other.type or other.type_scope is None or other.inner:
                 raise UnknownError
             found = self.class_in(other.type.split("."), other.type_scope)
@@ -79,6 +79,10 @@ class Lookup:
         else:
             found = self._around(first, scope)
         return self._library.within(found, rest)
+
+    def redeclared(self, name: str, scope: Scope) -> Given | None:
+        """Return what the component of a scope is given for a class of this name; None if nothing."""
+        return self.given.get((scope.path, id(scope.around)), {}).get(name)
 
     def around(self, name: str, scope: Scope) -> Class | None:
         """Return the class, or an heir of it, in which a class of this name is found; None if not known."""

@@ -117,7 +117,7 @@ def _literal(
     if NAME.fullmatch(written) and written not in ("true", "false"):
         with suppress(UnknownError):
             around = _around(model, library, span)
-            meant = instances.constant(written, nowhere(around))
+            meant = instances.of_constant([(name, ()) for name in written.split(".")], nowhere(around))
             if not is_one_of(value, meant) and not is_iterator(model, around, written):
                 yield f"{written} is not {value:g}", span
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Final
@@ -11,11 +11,13 @@ from typing import Final
 import numpy as np
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, value_of
-from fmu_build.codegen.second_reading.called_functions import Function, function_of
-from fmu_build.codegen.second_reading.gathered import gathered
-from fmu_build.codegen.second_reading.givens import Scope
-from fmu_build.codegen.second_reading.instances import Instances, Leaf
+from fmu_build.codegen.second_reading.called_functions import all_arguments, sizes_of_result, variables_of
+from fmu_build.codegen.second_reading.functions import Function, function_of
+from fmu_build.codegen.second_reading.gathered import flattened, gathered, leaves_in
+from fmu_build.codegen.second_reading.givens import Scope, nowhere
+from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, called
+from fmu_build.codegen.second_reading.records import Constructor, constructor_of, member_of
 from fmu_build.codegen.second_reading.scopes import PREDEFINED
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -49,14 +51,15 @@ class Point:
             return self.applied("", path)
         if path not in self._computed:
             self._computed[path] = None  # until it is known
-            self._computed[path] = self._own(self.instances.leaves[path])
+            self._computed[path] = self.own(path)
         found = self._computed[path]
         if found is None:
             raise UnknownError
         return found
 
-    def _own(self, leaf: Leaf) -> Value:
-        """Return the value of a parameter or constant, which may follow from those of others."""
+    def own(self, path: str) -> Value:
+        """Return the value that a variable is given; raises `UnknownError` if it is not known."""
+        leaf = self.instances.leaves[path]
         if not leaf.given.value:
             raise UnknownError
         names = source_names(self, leaf.given.scope or self.instances.nowhere)
@@ -65,7 +68,7 @@ class Point:
     def is_random(self, path: str) -> bool:
         """Return whether a variable has a random value."""
         leaf = self.instances.leaves[path]
-        has_own = leaf.is_constant or (self.is_replaced and bool(leaf.given.value))
+        has_own = leaf.is_constant or (self.is_replaced and bool(leaf.given.value)) or path in self._computed
         return path in self.free or not has_own
 
     def applied(self, operator: str, path: str) -> Value:
@@ -82,20 +85,36 @@ class Point:
         """The time."""
         return self._random("time", PREDEFINED["Real"], ())
 
-    def result(self, function: Function, arguments: Sequence[Value]) -> Value:
+    def result(self, function: Function, arguments: Sequence[Value], place: int) -> Value:
         """Return numbers that depend on a function and all its arguments as a smooth result would."""
-        if function.is_built_in:
+        if function.is_built_in and not place:
             return called(function.declared.name, arguments)
-        own = self._random(function.key, PREDEFINED["Real"], function.sizes(arguments))
-        return as_value(self.dependent(function.key, arguments) + own)
+        key = f"{function.key} {place}"
+        variables = variables_of(self.instances, function)
+        sizes = sizes_of_result(function, variables, arguments, place, self.names_in(variables))
+        own = self._random(key, PREDEFINED["Real"], sizes)
+        return as_value(self.dependent(key, arguments) + own)
+
+    def names_in(self, variables: Instances) -> Callable[[Class], Names]:
+        """Return what names in classes mean that are no variables of a function, with its heir."""
+        point = Point(variables, self.number, frozenset(), self.is_smooth, is_replaced=False)
+        return lambda around: source_names(point, nowhere(around))
 
     def dependent(self, key: str, arguments: Sequence[Value]) -> Value:
         """Return a number that depends on arguments, and on a key in which way."""
-        found = 0.0
-        for place, argument in enumerate(arguments):
-            weights = self._random(f"{key} {place}", PREDEFINED["Real"], argument.shape)
-            found += float(np.sum(np.sin(weights + argument)))
-        return as_value(found)
+        # rumoca has an argument for each member of a record.
+        numbers = flattened(arguments)
+        weights = self._random(f"{key} arguments", PREDEFINED["Real"], numbers.shape)
+        return as_value(float(np.sum(np.sin(weights + numbers))))
+
+    def constructed(
+        self, constructor: Constructor, arguments: Sequence[Value], named: Mapping[str, Value]
+    ) -> Value:
+        """Return the value of a record with these arguments."""
+        given: dict[str, Value | None] = {**constructor.given(arguments, named)}
+        variables = constructor.variables
+        inner = Point(variables, self.number, frozenset(), self.is_smooth, is_replaced=True, _computed=given)
+        return flattened(inner.of(leaf) for leaf in leaves_in(variables, ""))
 
     def of_operator(self, name: str, arguments: Sequence[Value]) -> Value | None:
         """Return the value of an operator that depends on more than its arguments; None for others."""
@@ -132,8 +151,9 @@ class Points:
         self.has_integers = bool(integers)
         self.of_any_integers = _points(instances, constants)
         self.of_own_integers = _points(instances, constants - integers)
-        #: rumoca writes the equations of some variables in the place of their names.
-        self.of_replaced_names = _points(instances, constants - integers, is_replaced=True)
+        #: rumoca writes the equations of some variables in the place of their names; functions have none.
+        has_equations = instances.nowhere.around.kind != "function"
+        self.of_replaced_names = _points(instances, constants - integers, is_replaced=has_equations)
 
 
 def _points(instances: Instances, free: Set[str], *, is_replaced: bool = False) -> list[Point]:
@@ -183,11 +203,35 @@ class _SourceNames:
             raise UnknownError
         return gathered(self.point.instances, path, reference, partial(self.point.applied, operator))
 
-    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
-        library = self.point.instances.library
-        if not library.is_class(name, self.scope.around):
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        instances = self.point.instances
+        if not instances.library.is_class(name, self.scope.around):
             return self.point.of_operator(name, arguments)
-        function = function_of(self.point.instances, name, self.scope)
+        constructor = self._constructor(name)
+        if constructor is not None:
+            return self.point.constructed(constructor, arguments, named)
+        function = function_of(instances.library, instances.lookup, name, self.scope)
         if function.declared is self.scope.around and function.is_built_in:
             return None
-        return self.point.result(function, function.all_arguments(arguments, named))
+        variables = variables_of(instances, function)
+        names_in = self.point.names_in(variables)
+        return self.point.result(
+            function, all_arguments(function, variables, arguments, named, names_in), place
+        )
+
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        constructor = self._constructor(name)
+        if constructor is not None:
+            return member_of(constructor.variables, "", result, members)
+        instances = self.point.instances
+        function = function_of(instances.library, instances.lookup, name, self.scope)
+        output, *_ = function.outputs
+        return member_of(variables_of(instances, function), output, result, members)
+
+    def _constructor(self, name: str) -> Constructor | None:
+        try:
+            return constructor_of(self.point.instances, name, self.scope)
+        except UnknownError:  # It may be a function.
+            return None

@@ -24,7 +24,6 @@ from fmu_build.codegen.second_reading.givens import (
 from fmu_build.codegen.second_reading.lookup import Lookup
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
-from fmu_build.codegen.second_reading.sections import arguments
 from fmu_build.codegen.second_reading.syntax import Class, Component
 
 
@@ -52,26 +51,6 @@ class Redeclarations:
         self._library = library
         self._lookup = lookup
         self._mistakes = mistakes
-
-    def members(self, given: Given, record: Class) -> dict[str, Given]:
-        """Return what a record gives to its members as a whole, ``R(a = 5)`` or ``other``.
-
-        Raises `UnknownError` if that is not known.
-        """
-        tokens, scope = given.value, given.scope
-        names = [*self._library.components(record)]
-        if given.place or scope is None:
-            raise UnknownError
-        if all(token == "." or token.isidentifier() for token in tokens):
-            return {name: Given((*tokens, ".", name), scope) for name in names}
-        place = tokens.index("(") if "(" in tokens and tokens[-1] == ")" else 0
-        if not place or self._lookup.class_in("".join(tokens[:place]).split("."), scope) is not record:
-            raise UnknownError
-        found = {}
-        for name, argument in zip(names, arguments(tokens[place + 1 : -1]), strict=False):
-            is_named = argument[1:2] == ("=",)
-            found[argument[0] if is_named else name] = Given(argument[2:] if is_named else argument, scope)
-        return found
 
     def kind(self, path: str, member: Member) -> tuple[Class, Given]:
         """Return the class of a component, perhaps a redeclared one, and the modifiers of the latter."""

@@ -17,7 +17,7 @@ import numpy as np
 from fmu_build.codegen.compiled import expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.agreement import Size, differ
-from fmu_build.codegen.second_reading.arithmetic import value_of
+from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
 from fmu_build.codegen.second_reading.compiled_values import CompiledValues
 from fmu_build.codegen.second_reading.givens import Given, Scope
 from fmu_build.codegen.second_reading.instances import Instances
@@ -110,18 +110,26 @@ class Residuals:
     def _meant(self, point: Point, one: Statement, iterators: Mapping[str, float]) -> list[Value]:
         if isinstance(one, Equation):
             names = source_names(point, self._scope)
-            left, right = (value_of(side, names, iterators) for side in (one.left, one.right))
-            if left.shape != right.shape:
-                raise UnknownError
-            self._size.enter(left, right)
-            with np.errstate(all="ignore"):
-                return [np.asarray(left - right)]
+            results = one.results
+            left = [value_of(side, names, iterators) for side in results.values() or (one.left,)]
+            if results:
+                right = results_of(one.right, results, names, iterators)
+            else:
+                right = [value_of(one.right, names, iterators)]
+            return [self._difference(a, b) for a, b in zip(left, right, strict=True)]
         if isinstance(one, Loop):
             passes_ = points(point.instances, self._scope, one.iterators, iterators)
             return [
                 value for inner in passes_ for each in one.body for value in self._meant(point, each, inner)
             ]
         return self._of_branches(point, one.branches, iterators) if isinstance(one, Branches) else []
+
+    def _difference(self, left: Value, right: Value) -> Value:
+        if left.shape != right.shape:
+            raise UnknownError
+        self._size.enter(left, right)
+        with np.errstate(all="ignore"):
+            return np.asarray(left - right)
 
     def _of_branches(
         self,

@@ -162,13 +162,18 @@ class Library:
     def components(self, owner: Class) -> Mapping[str, tuple[Class, Component]]:
         """Return the components of a class by name, each with the class that declares it, perhaps a base.
 
+        Inherited ones come first.
+
         Raises `UnknownError` if a base is not known.
         """
         if id(owner) not in self._components:
-            classes = reversed([*self.lineage(owner)])
-            self._components[id(owner)] = {
-                component.name: (one, component) for one in classes for component in one.components
-            }
+            if not owner.is_certain:
+                raise UnknownError
+            found: dict[str, tuple[Class, Component]] = {}
+            for base in self.bases(owner):
+                found |= self.components(base)
+            found |= {component.name: (owner, component) for component in owner.components}
+            self._components[id(owner)] = found
         return self._components[id(owner)]
 
     def is_class(self, name: str, scope: Class) -> bool:

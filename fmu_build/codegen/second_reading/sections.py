@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final, TypeAlias
 
@@ -20,6 +20,13 @@ class Equation:
     right: Tokens
     start: int
     end: int
+
+    @property
+    def results(self) -> dict[int, Tokens]:
+        """What gets the results of a function in ``(a, , b) = f(x)``, by place; nothing otherwise."""
+        is_tuple = self.left[:1] == ("(",) and self.left[-1:] == (")",)
+        found = arguments(self.left[1:-1]) if is_tuple else ()
+        return {place: one for place, one in enumerate(found) if one} if len(found) > 1 else {}
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,6 +193,18 @@ class _Reader:
             raise SyntaxError("the section ends within an equation")
         self._place += 1
         return self._section.tokens[self._place - 1]
+
+
+def has_branches(inner: Sequence[Statement]) -> bool:
+    """Return whether there is an if-equation or if-statement among statements, or in them."""
+    for one in inner:
+        if isinstance(one, Branches):
+            return True
+        bodies = [body for _, body in one.branches] if isinstance(one, When) else []
+        bodies += [one.body] if isinstance(one, Loop) else []
+        if any(map(has_branches, bodies)):
+            return True
+    return False
 
 
 def arguments(tokens: Tokens) -> tuple[Tokens, ...]:

@@ -7,6 +7,11 @@ from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 _UNBALANCED = rf"connector '{QUALIFIED}' is unbalanced: (?P<count>[^\[\n]*?) *(?:\(MLS|\[|\n|$)"
 
+_INHERITED = (
+    "a class that the package {name} inherits: the compiler does not find its elements under this name; "
+    "write that of the package that declares it"
+)
+
 _CONDITION = r"conditional component `(?P<name>\w+)` requires parameter expression"
 _CONDITIONAL = r"(?<![\w.])NAME\s*(?:\([^;]*\)\s*)?\bif\b"
 _NOT_EVALUATED = (
@@ -16,7 +21,7 @@ _NOT_EVALUATED = (
 
 CLASSES = (
     Meaning(
-        r"component '\w+' instantiates partial model '(?P<name>\w+)'",
+        r"component '\w+' instantiates partial model '(?:\w+\.)*(?P<name>\w+)'",
         UnsupportedModelError,
         "the short class {name} is taken for partial, because the class for which it stands is; write "
         "model {name} extends ...",
@@ -65,6 +70,28 @@ CLASSES = (
         rf"(?=(\w+)\b[\s\S]{{0,4000}}?{_CONDITIONAL}[^;]*(?<![\w.])\1\b)",
     ),
     Meaning(_CONDITION, UnsupportedModelError, _NOT_EVALUATED, (rf"{_CONDITIONAL}[^;]*",)),
+    Meaning(
+        r"base class not found: `(?P<whole>(?:\w+\.)*(?P<name>\w+)\.\w+)`",
+        UnsupportedModelError,
+        f"{{whole}} is {_INHERITED}",
+        (r"\bextends\s+(?:\w+\s*\.\s*)*(?=NAME\b)HEIR\s*\.\s*\w+",),
+        only_there=True,
+    ),
+    Meaning(
+        r"must be a connector, but has builtin type '(?P<whole>(?:\w+\.)*(?P<name>\w+)\.\w+)'",
+        UnsupportedModelError,
+        f"{{whole}} is {_INHERITED}",
+        (r"(?<![\w.])(?:\w+\s*\.\s*)*(?=NAME\b)HEIR\s*\.\s*\w+\s+\w+",),
+        only_there=True,
+    ),
+    Meaning(
+        r"unresolved component reference: '(?P<whole>(?P<name>\w+)\.[\w.]+)'",
+        UnsupportedModelError,
+        "{whole}: the package that names the class of {name} inherits this class, and the compiler does not "
+        "find its elements; write the name of the package that declares it",
+        (r"(?<![\w.])(?:\w+\s*\.\s*)*HEIR\s*\.\s*\w+\s+(?:\w+\s*,\s*)*(?=NAME\b)",),
+        only_there=True,
+    ),
     Meaning(
         r"redeclaration error for `(?P<name>\w+)`: selected redeclare class has no such member",
         UnsupportedModelError,

@@ -70,6 +70,14 @@ CONNECTIONS_AND_COUNTS = (
     Meaning(
         rf"(?P<all>{_UNBALANCED})",
         UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts equations with a constructor on their left: write "
+        "it on the right",
+        (r"(?:;|\bequation\b)\s*(?:\w+\s*\.\s*)*RECORD\s*\((?=[^;()]*(?:\([^()]*\)[^;()]*)*\)\s*=(?!=))",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
         "{all}, as the compiler counts them; it miscounts equations of slices of arrays of components, and "
         "modifiers of the form each a(k = {{...}}): write the elements one by one",
         (r"\w\s*\[[^\[\]]*:[^\[\]]*\]\s*\.\s*\w+", r"\beach\s+\w+\s*\([^()]*=\s*\{"),

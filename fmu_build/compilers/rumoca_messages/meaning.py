@@ -24,10 +24,10 @@ class Meaning:
 
     `message` is a pattern; `says` may use its named groups. `constructs` are patterns of possible causes in
     the source, most likely first, in which NAME stands for the group ``name``, and RECORD, CLASS,
-    FLOWCONNECTOR, ENUMERATION, ARRAYTYPE and FUNCTION for the simple name of any record, class with
-    components, connector with flow variables, enumeration, type that is an array of computed size, and
-    function of arrays. `called` is set if the explanation begins with the construct itself; it replaces the
-    construct if several different ones match.
+    FLOWCONNECTOR, ENUMERATION, ARRAYTYPE, HEIR and FUNCTION for the simple name of any record, class with
+    components, connector with flow variables, enumeration, type that is an array of computed size, package
+    that inherits, and function of arrays. `called` is set if the explanation begins with the construct
+    itself; it replaces the construct if several different ones match.
     """
 
     message: str
@@ -64,6 +64,7 @@ class Meaning:
             "ARRAYTYPE": _any_of(source.array_types),
             "FLOWCONNECTOR": _any_of(source.flow_connectors),
             "CLASS": _any_of(source.component_classes),
+            "HEIR": _any_of(source.heirs),
             "FUNCTION": _any_of(source.functions_of_arrays),
         }
         return re.sub("|".join(stands_for), lambda found: stands_for[found[0]], pattern)

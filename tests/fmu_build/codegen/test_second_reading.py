@@ -329,7 +329,7 @@ _MISPLACED = {
     "the default of a record": (
         "record R Real a=k; Real b=1; end R;",
         "parameter Real k=3; P.R r=P.R(b=time); Real s=r.a;",
-        "k, which R does not declare, means the k of the model",
+        "the equation k differs in the compiler's reading",
     ),
     "the size of a type": (
         "type V=Real[n];",

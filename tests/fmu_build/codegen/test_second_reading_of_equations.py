@@ -168,7 +168,7 @@ class _Reading:
         yield from mistaken_connections(changed, self._connections)
         yield from mistaken_clauses(changed, self._instances, [])
         yield from mistaken_packages(changed, self._library, self._instances)
-        yield from mistaken_functions(changed, self._library, [], [])
+        yield from mistaken_functions(changed, self._instances, [], [])
 
     def finds(self, change: Callable[[dict[str, Any]], object] = lambda _: None) -> bool:
         """Whether there is a difference."""

@@ -47,8 +47,13 @@ class _Names:
     def applied(self, operator: str, reference: Chosen) -> Value:
         return 10 * self.value(reference) if operator == "der" else self.value(reference)
 
-    def called(self, name: str, arguments: Sequence[Value], named: Mapping[str, Value]) -> Value | None:
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
         return as_value(sum([*arguments, *named.values()])) if name == "f" else None
+
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        return result[int(name == "f")] if members == ("a",) else as_value(0)
 
 
 def _value(text: str, *, is_smooth: bool = False) -> object:

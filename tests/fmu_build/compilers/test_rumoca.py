@@ -173,6 +173,20 @@ def test_a_panic_of_the_compiler_is_an_error(tmp_path: Path, capfd: pytest.Captu
     assert capfd.readouterr().err == ""
 
 
+def test_a_panic_without_an_explanation(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    """The compiler ends at the start values of arrays in arrays of components that are given again."""
+    file = tmp_path / "M.mo"
+    file.write_text("""
+      model B parameter Integer n = 1; Real x[n](each start = 1, each fixed = true);
+      equation der(x) = zeros(n); end B;
+      model C parameter Integer m = 2; B b[m](each n = 3, x(start = {{1, 2, 3}, {4, 5, 0}})); end C;
+      model M C d(m = 1, b(x(start = {{1, 1, 1}}))); end M;
+    """)
+    with pytest.raises(UnsupportedModelError, match=r"M\.mo: the compiler ends at this model"):
+        _generate("M", file)
+    assert capfd.readouterr().err == ""
+
+
 def test_a_file_that_is_not_text(tmp_path: Path) -> None:
     file = tmp_path / "M.mo"
     file.write_bytes(b'model M "\xff"\nend M;\n')

@@ -20,6 +20,11 @@ _A = "package A0 constant Real k = 4; end A0; package A extends A0; end A; "
 _CONNECTOR = "connector P is taken for unbalanced, 1 flow variable(s) vs "
 _CONDITION = "the condition of s is not evaluated"
 
+_HEIR = (
+    "package P model S Real y = 2; end S; connector Pin Real v; flow Real i; end Pin; end P; "
+    "package Q extends P; end Q;"
+)
+
 _VALID = {
     "a connector with a base": (
         "partial connector P0 Real v; end P0; connector P extends P0; flow Real i; end P;" + _V,
@@ -135,6 +140,26 @@ _VALID = {
         "package F replaceable package Q = P; end F; package G extends F(redeclare package Q = O); end G; "
         "model M Real y = G.Q.c; end M;",
         "G.Q.c, a constant of a package that is redeclared in another package, is not supported",
+    ),
+    "an element of a class that a package inherits": (
+        f"{_HEIR} model M Q.S s; Real z = s.y; end M;",
+        "s.y: the package that names the class of s inherits this class",
+    ),
+    "a base class that a package inherits": (
+        f"{_HEIR} model M extends Q.S; end M;",
+        "Q.S is a class that the package Q inherits",
+    ),
+    "a connector that a package inherits": (
+        f"{_HEIR} model M Q.Pin a, b; equation connect(a, b); end M;",
+        "Q.Pin is a class that the package Q inherits",
+    ),
+    "a constructor on the left": (
+        "record R Real a; Real b; end R; model M R r; equation R(time, 2) = r; end M;",
+        "it miscounts equations with a constructor on their left",
+    ),
+    "a short class of a partial class in a package": (
+        "package P partial model A Real y = time; end A; model B = A; end P; model M P.B b; end M;",
+        "the short class B is taken for partial",
     ),
     "a slice in a connection": (
         f"{_G} model M S s; G g[2]; equation connect(s.y[2:3], g.u); end M;",

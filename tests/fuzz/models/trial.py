@@ -12,7 +12,7 @@ from random import Random
 from typing import Any, Final, Literal
 
 from fmu_build import build_fmu
-from fmu_build.support.errors import BuildError, UnsupportedModelError
+from fmu_build.support.errors import UnsupportedModelError
 from pyjoystick.fmu import Fmu, run_model_exchange
 from tests.fuzz.models.dynamics import END
 from tests.fuzz.models.program import Program, random_program
@@ -45,10 +45,6 @@ def trial(case: int) -> Verdict:
             wrong = _compared(program, built.path, Random(case))
         except UnsupportedModelError as error:
             return Verdict(case, "refused", str(error))
-        except BuildError as error:
-            if "rumoca cannot compile this" in str(error):
-                return Verdict(case, "refused", str(error))
-            return Verdict(case, "fault", f"{program.text}\n{error}")
         except Exception:
             return Verdict(case, "fault", f"{program.text}\n{traceback.format_exc()}")
     return Verdict(case, "fault", f"{program.text}\n{wrong}") if wrong else Verdict(case, "right")
