@@ -263,8 +263,9 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     convert = partial(runs.amount_for, fmus=descriptions)
     settings = parsing.numbers_of(between.settings, convert)
     if "theta_start" in descriptions[0].variables:
-        of_joystick = {name for name in settings if runs.has_si_unit(descriptions[0], name)}
-        require_plausible({name: settings[name] for name in of_joystick})
+        require_plausible(
+            {name: one for name, one in settings.items() if runs.has_si_unit(descriptions[0], name)}
+        )
     experiments = runs.experiments_for(
         *descriptions,
         release_angles=request.angles,
