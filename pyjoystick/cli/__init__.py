@@ -8,6 +8,7 @@ on first use, so that the help of a command needs no numerical packages.
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
@@ -155,11 +156,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except PyJoystickError as error:
         return _failed(str(error))
     except Exception as error:  # a bug must not end in a traceback
-        if isinstance(error, OSError) and (lost := lost_output(error)):
-            return _failed(lost)
+        if isinstance(error, OSError) and (reason := lost_output(error) or _too_long(error)):
+            return _failed(reason)
         hint = "" if invocation.debug else " (pyjoystick --debug COMMAND shows where)"
         return _failed(f"internal error: {type(error).__name__}: {error}{hint}")
     return 0
+
+
+def _too_long(error: OSError) -> str:
+    """Message for a path that no file can have, which any look at it raises; else empty."""
+    is_too_long = error.errno == errno.ENAMETOOLONG and error.filename is not None
+    return f"cannot use the path {error.filename}: {error.strerror}" if is_too_long else ""
 
 
 def _failed(message: str) -> int:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Final, Literal
 
@@ -39,7 +40,7 @@ class _Request:
         angles: release angles (rad)
         duration, output_interval: of each run (s)
         interface: interface for running the FMUs
-        limits: limits by name of the variable
+        limits: limits by name of the variable, as they are written
         tolerances: tolerances of the integrators
         json: file for all results
         every_run: show all runs, not only the worst one of each variable
@@ -49,7 +50,7 @@ class _Request:
     duration: float | None
     output_interval: float | None
     interface: fmu.Interface | None
-    limits: Mapping[str, float]
+    limits: Mapping[str, str]
     tolerances: runs.Tolerances
     json: Path | None
     every_run: bool
@@ -61,17 +62,17 @@ class _BetweenFmus:
 
     Attributes:
         parameters: a parameter file for both
-        settings: parameters and inputs of both by name; they override the file
+        settings: parameters and inputs of both by name, as they are written; they override the file
         relative_limit: limit of variables without their own; None for the default
-        cs_limits: limits in Co-Simulation, by name of the variable
+        cs_limits: limits in Co-Simulation, as `limits` of the request
         variables: variables to compare; None for the outputs
         inputs: a CSV file
     """
 
     parameters: Path | None
-    settings: Mapping[str, float]
+    settings: Mapping[str, str]
     relative_limit: float | None
-    cs_limits: Mapping[str, float]
+    cs_limits: Mapping[str, str]
     variables: Sequence[str] | None
     inputs: Path | None
 
@@ -113,7 +114,7 @@ def run(
             "--limit",
             "-l",
             metavar="NAME=VALUE",
-            help="Largest allowed difference of a variable, in SI units; repeatable.",
+            help="Largest allowed difference of a variable, in its unit or with one; repeatable.",
         ),
     ] = None,
     relative_limit: Annotated[
@@ -191,7 +192,7 @@ def run(
         duration=duration,
         output_interval=output_interval,
         interface=None if interface is None else _INTERFACES[interface],
-        limits=parsing.parse_assignments(limit, "--limit"),
+        limits=parsing.parse_amounts(limit, "--limit"),
         tolerances=runs.Tolerances(tolerance, cvode_tolerance),
         json=json,
         every_run=everything,
@@ -212,9 +213,9 @@ def run(
         parsing.refuse_given("given FMUs have their own damping laws", {"--damping": damping})
         between = _BetweenFmus(
             parameters=parameters,
-            settings=parsing.parse_assignments(assignments, "--set"),
+            settings=parsing.parse_amounts(assignments, "--set"),
             relative_limit=relative_limit,
-            cs_limits=parsing.parse_assignments(cs_limit, "--cs-limit"),
+            cs_limits=parsing.parse_amounts(cs_limit, "--cs-limit"),
             variables=variable,
             inputs=inputs,
         )
@@ -239,7 +240,7 @@ def _with_reference(
             duration=duration,
             output_interval=step,
             interface=interface,
-            limits=request.limits,
+            limits=parsing.numbers_of(request.limits),
             tolerances=request.tolerances,
             on_run=status.update,
         )
@@ -258,19 +259,27 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     """Compare two FMUs and print the result; False if a limit is exceeded."""
     paths = found_or_built(first), found_or_built(second)
     descriptions = [fmu.read_description(path) for path in paths]
+    # Names of the joystick's quantities may mean others in an FMU from elsewhere: its own units decide.
+    convert = partial(runs.amount_for, fmus=descriptions)
+    settings = parsing.numbers_of(between.settings, convert)
     if "theta_start" in descriptions[0].variables:
-        require_plausible(between.settings)
+        require_plausible(
+            {name: one for name, one in settings.items() if runs.has_si_unit(descriptions[0], name)}
+        )
     experiments = runs.experiments_for(
         *descriptions,
         release_angles=request.angles,
         duration=request.duration,
         output_interval=request.output_interval,
-        settings={**_joystick(between, descriptions[0]), **between.settings},
+        settings={**_joystick(between, descriptions), **settings},
         inputs=None if between.inputs is None else fmu.read_inputs(between.inputs, descriptions[0]),
     )
-    limits = runs.Limits(absolute=request.limits, co_simulation=between.cs_limits)
+    limits = runs.Limits(
+        absolute=parsing.numbers_of(request.limits, convert),
+        co_simulation=parsing.numbers_of(between.cs_limits, convert),
+    )
     if between.relative_limit is not None:
-        limits = runs.Limits(request.limits, between.relative_limit, between.cs_limits)
+        limits = replace(limits, relative=between.relative_limit)
     with progress_console().status("") as status:
         comparison = runs.compare_fmus(
             *paths,
@@ -286,12 +295,13 @@ def _of_two(first: str, second: str, between: _BetweenFmus, request: _Request) -
     return comparison.within_limits
 
 
-def _joystick(between: _BetweenFmus, description: fmu.FmuDescription) -> Mapping[str, float]:
-    """Values of the parameter file, with the damping law of the FMU."""
+def _joystick(between: _BetweenFmus, descriptions: Sequence[fmu.FmuDescription]) -> Mapping[str, float]:
+    """Values of the parameter file, with the damping law of the first FMU."""
     if between.parameters is None:
         return {}
-    joystick = joystick_choice.parameter_file(between.parameters).with_law(runs.law_of_fmu(description))
-    return model.values_for(joystick, description.variables)
+    law, *_ = [runs.law_of_fmu(one) for one in descriptions]  # each must have the units of the file
+    joystick = joystick_choice.parameter_file(between.parameters).with_law(law)
+    return model.values_for(joystick, descriptions[0].variables)
 
 
 def _write_json(

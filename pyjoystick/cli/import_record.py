@@ -108,7 +108,10 @@ def _scales(texts: Sequence[str] | None, zeros: Sequence[str] | None) -> dict[st
     Raises:
         BadParameter: a text is not a calibration, or a zero has no scale
     """
-    at_zero, found = parsing.parse_assignments(zeros, "--zero"), {}
+    # A reading at zero is in the unit of the readings, whatever quantity they stand for.
+    readings = parsing.parse_amounts(zeros, "--zero")
+    at_zero = parsing.numbers_of(readings, lambda name, text: motion.amount_of(f"--zero {name}", text, {}))
+    found = {}
     for name, text in parsing.parse_names(texts, "--scale").items():
         try:
             found[name] = motion.scale_of(name, text, at_zero.pop(name, 0.0))

@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import Final
+from typing import Final, TypeAlias
 
 import typer
 
 from pyjoystick import model, motion
 from pyjoystick.cli.plausibility import note_small_angle
-from pyjoystick.support import ParameterError, number_of_text
+from pyjoystick.support import number_of_text
+
+#: Converts a text with a unit for the variable of a name.
+Convert: TypeAlias = Callable[[str, str], float]
 
 _ANGLE: Final = re.compile(r"(?P<number>[-+0-9.eE]+)\s*(?P<unit>\D*)")
 
@@ -42,6 +45,10 @@ def parse_angle(text: str, option: str = "--release-angle") -> float:
     return angle
 
 
+def _of_joystick(name: str, text: str) -> float:
+    return motion.amount_of(name, text, model.units_of(name) or {})
+
+
 def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, float]:
     """Parse numbers in SI units by name, such as ``damping.C=0.05`` or ``a=24.1mm``; names must be unique.
 
@@ -49,39 +56,56 @@ def parse_assignments(texts: Sequence[str] | None, option: str) -> dict[str, flo
         BadParameter: a text does not have this form, or a name is given twice
         ParameterError: a unit does not fit the parameter
     """
-    values: dict[str, float] = {}
+    return numbers_of(parse_amounts(texts, option))
+
+
+def parse_amounts(texts: Sequence[str] | None, option: str) -> dict[str, str]:
+    """Numbers by name as they are written, with their units.
+
+    Raises:
+        BadParameter: a text does not have the form ``NAME=NUMBER``, or a name is given twice
+    """
+    amounts: dict[str, str] = {}
     for text in texts or []:
         name, sign, value = (part.strip() for part in text.partition("="))
-        number = math.nan
-        try:
-            number = _with_unit(name, value)
-            if 2.0**53 <= abs(number) <= 2.0**64:
-                number = _exact(number, value)
-        except ParameterError:
-            raise
-        except ValueError:
-            sign = ""
-        if not name or not sign:
+        if not (name and sign and _has_number(value)):
             raise typer.BadParameter(
                 f"{text!r} must be NAME=NUMBER, such as damping.C=0.05", param_hint=option
             )
-        if name in values:
+        if name in amounts:
             raise typer.BadParameter(f"{name} is given twice", param_hint=option)
-        values[name] = number
-    return values
+        amounts[name] = value
+    return amounts
 
 
-def _with_unit(name: str, text: str) -> float:
-    """A number with an optional unit of the parameter; raises ValueError if there is no number."""
+def _has_number(text: str) -> bool:
     with suppress(ValueError):
-        return number_of_text(text)
-    units = model.units_of(name)
+        number_of_text(text)
+        return True
     try:
-        return motion.amount(text, units or {})
-    except KeyError:
-        named = ", ".join(filter(None, units or ()))
-        allowed = f"a number, or one with a unit: {named}" if named else "a number without a unit"
-        raise ParameterError(name, text, allowed) from None
+        motion.amount(text, {})
+    except KeyError:  # of a unit, which is looked up where the variable is known
+        return True
+    except ValueError:
+        return False
+    return True
+
+
+def numbers_of(amounts: Mapping[str, str], convert: Convert = _of_joystick) -> dict[str, float]:
+    """Numbers of `parse_amounts`; those with a unit are converted, by default to the joystick's SI units.
+
+    Raises:
+        ParameterError: a unit does not fit the parameter
+    """
+    return {name: _number(name, text, convert) for name, text in amounts.items()}
+
+
+def _number(name: str, text: str, convert: Convert) -> float:
+    try:
+        number = number_of_text(text)
+    except ValueError:
+        return convert(name, text)
+    return _exact(number, text) if 2.0**53 <= abs(number) <= 2.0**64 else number
 
 
 def _exact(number: float, text: str) -> float:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 import zipfile
-from collections.abc import Mapping, Set
+from collections.abc import Iterable, Mapping, Set
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Any, Final, TypeAlias
 from xml.parsers import expat
 
 from fmpy import read_model_description
@@ -22,6 +24,10 @@ from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
 _LARGEST_REFERENCE: Final = 0xFFFF_FFFF
 #: Characters of an error of the archive or of its XML that a message repeats.
 _MOST_SAID: Final = 500
+#: Spellings of a true Boolean in XML.
+_TRUE: Final = ("true", "1")
+
+_DisplayUnits: TypeAlias = Mapping[tuple[str, str], DisplayUnit]
 
 
 def read_description(path: Path) -> FmuDescription:
@@ -46,7 +52,7 @@ def read_description(path: Path) -> FmuDescription:
     if "modelDescription.xml" not in files:
         raise FmuFileError(path, "not an FMU: there is no modelDescription.xml in it")
     try:
-        declared = _co_simulation(path)
+        declared = _declared(path)
         return _description(path, files, read_model_description(str(path), validate=False), declared)
     except FmuFileError:
         raise
@@ -56,24 +62,40 @@ def read_description(path: Path) -> FmuDescription:
         raise FmuFileError(path, reason) from error
 
 
-def _co_simulation(path: Path) -> Mapping[str, str]:
-    """Attributes of the element CoSimulation, empty if there is none.
+@dataclass(frozen=True, slots=True)
+class _Declared:
+    """What FMPy leaves out: attributes of CoSimulation, and display units whose scale runs backwards.
+
+    `inverse` has pairs of the names of unit and display unit.
+    """
+
+    co_simulation: dict[str, str] = field(default_factory=dict)
+    inverse: set[tuple[str, str]] = field(default_factory=set)
+
+
+def _declared(path: Path) -> _Declared:
+    """Read what FMPy leaves out.
 
     FMPy reads the whole description, which takes minutes for a huge one. This function therefore checks it
     first, and raises FmuFileError for an unknown FMI version, too many variables, or one whose name is
     missing or another's. Elements count at their place in the standard only: annotations of tools may contain
     elements of any name.
     """
-    found: dict[str, str] = {}
+    found = _Declared()
     variables: set[str] = set()
     parents: list[str] = []  # of the element that begins, from the root on
+    unit = ""
 
     def start(name: str, attributes: dict[str, str]) -> None:
-        nonlocal found
+        nonlocal unit
         if not parents:
             _require_known_version(path, name, attributes)
         elif len(parents) == 1 and name == "CoSimulation":
-            found = attributes
+            found.co_simulation.update(attributes)
+        elif parents[1:] == ["UnitDefinitions"]:
+            unit = attributes.get("name", "")
+        elif parents[1:] == ["UnitDefinitions", "Unit"] and attributes.get("inverse") in _TRUE:
+            found.inverse.add((unit, attributes.get("name", "")))
         elif parents[1:] == ["ModelVariables"]:
             _require_own_name(path, attributes, variables)
             variables.add(attributes["name"])
@@ -106,7 +128,7 @@ def _require_known_version(path: Path, root: str, attributes: Mapping[str, str])
         raise UnsupportedFmuError(path, f"is an FMU of FMI {version}; FMI 2.0 and 3.0 are supported")
 
 
-def _description(path: Path, files: list[str], model: Any, declared: Mapping[str, str]) -> FmuDescription:
+def _description(path: Path, files: list[str], model: Any, declared: _Declared) -> FmuDescription:
     for variable in model.modelVariables:
         if not 0 <= variable.valueReference <= _LARGEST_REFERENCE:
             allowed = f"must be a whole number from 0 to {_LARGEST_REFERENCE}"
@@ -117,7 +139,7 @@ def _description(path: Path, files: list[str], model: Any, declared: Mapping[str
         for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))
         if interface is not None
     }
-    units = {unit.name: unit for unit in model.unitDefinitions or ()}
+    units = _display_units(model.unitDefinitions or (), declared.inverse)
     experiment = model.defaultExperiment
     is_fmi3 = not model.fmiVersion.startswith("2.")
     return FmuDescription(
@@ -149,18 +171,18 @@ def _description(path: Path, files: list[str], model: Any, declared: Mapping[str
         one_instance=bool(getattr(model.coSimulation, "canBeInstantiatedOnlyOncePerProcess", False)),
         asks_for_inputs=bool(getattr(model.coSimulation, "providesIntermediateUpdate", False)),
         # FMPy only knows the FMI 2 names.
-        directional_derivatives=_provides(declared, "providesDirectionalDerivative"),
-        adjoint_derivatives=_provides(declared, "providesAdjointDerivative"),
+        directional_derivatives=_provides(declared.co_simulation, "providesDirectionalDerivative"),
+        adjoint_derivatives=_provides(declared.co_simulation, "providesAdjointDerivative"),
         log_categories=tuple(category.name for category in model.logCategories or ()),
     )
 
 
 def _provides(declared: Mapping[str, str], capability: str) -> bool:
     """Whether Co-Simulation declares a capability, whose name ends in s in FMI 3."""
-    return any(declared.get(name) in ("true", "1") for name in (capability, f"{capability}s"))
+    return any(declared.get(name) in _TRUE for name in (capability, f"{capability}s"))
 
 
-def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variable:
+def _variable(variable: Any, units: _DisplayUnits, is_fmi3: bool) -> Variable:
     """Make a variable; attributes that it omits are taken from its declared type."""
 
     def attribute(name: str) -> Any:
@@ -179,7 +201,7 @@ def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variabl
         value_reference=variable.valueReference,
         description=variable.description or "",
         unit=unit,
-        display_unit=_display_unit(units.get(unit), attribute("displayUnit")),
+        display_unit=units.get((unit, attribute("displayUnit") or "")),
         start=variable.start,
         minimum=_bound(attribute("min") or ends[0]),
         maximum=_bound(attribute("max") or ends[1]),
@@ -191,11 +213,18 @@ def _variable(variable: Any, units: Mapping[str, Any], is_fmi3: bool) -> Variabl
     )
 
 
-def _display_unit(unit: Any, name: str | None) -> DisplayUnit | None:
-    for candidate in unit.displayUnits if unit is not None else ():
-        if candidate.name == name:
-            return DisplayUnit(str(name), float(candidate.factor), float(candidate.offset))
-    return None
+def _display_units(definitions: Iterable[Any], inverse: Set[tuple[str, str]]) -> _DisplayUnits:
+    """Display units by the names of unit and display unit.
+
+    Inverse ones of FMI 3, as s for 1/s, are left out: they do not convert as ``factor * value + offset``,
+    and a difference cannot be converted at all. So are those whose factor cannot be divided by.
+    """
+    return {
+        (unit.name, display.name): DisplayUnit(display.name, float(display.factor), float(display.offset))
+        for unit in definitions
+        for display in unit.displayUnits
+        if (unit.name, display.name) not in inverse and 0.0 < abs(float(display.factor)) < math.inf
+    }
 
 
 def _bound(text: object) -> float | None:

@@ -65,4 +65,10 @@ from .tables import (
     make_table as make_table,
     write_csv as write_csv,
 )
-from .units import GRAVITY as GRAVITY, UNITS as UNITS, amount as amount, plain_unit as plain_unit
+from .units import (
+    GRAVITY as GRAVITY,
+    UNITS as UNITS,
+    amount as amount,
+    amount_of as amount_of,
+    plain_unit as plain_unit,
+)

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from decimal import Decimal
 from typing import Final
 
+from pyjoystick.support import ParameterError
+
 #: Standard gravity (m/s2), also the unit g of accelerations.
 GRAVITY: Final = 9.80665
 
@@ -85,6 +87,21 @@ def amount(text: str, units: Mapping[str, float]) -> float:
         raise ValueError(text)
     unit = plain_unit(match["unit"])
     return float(Decimal(match["number"]) * Decimal(repr(units[unit]))) if unit else float(match["number"])
+
+
+def amount_of(name: str, text: str, units: Mapping[str, float]) -> float:
+    """As `amount`, for the quantity of this name.
+
+    Raises:
+        ValueError: the text does not start with a number
+        ParameterError: the text after the number is not one of the units
+    """
+    try:
+        return amount(text, units)
+    except KeyError:
+        named = ", ".join(filter(None, units))
+        allowed = f"a number, or one with a unit: {named}" if named else "a number without a unit"
+        raise ParameterError(name, text, allowed) from None
 
 
 def plain_unit(text: str) -> str:

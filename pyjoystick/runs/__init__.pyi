@@ -41,6 +41,7 @@ from .fmu_comparison.experiments import (
 from .fmu_comparison.reference import compare_with_reference as compare_with_reference
 from .fmu_comparison.report import as_json as as_json
 from .fmu_settings import (
+    amount_for as amount_for,
     difference_of as difference_of,
     fmu_of as fmu_of,
     joystick_values as joystick_values,
@@ -52,8 +53,10 @@ from .joystick_fmus import (
     FMU_WITH_FRICTION as FMU_WITH_FRICTION,
     fmu_of_joystick as fmu_of_joystick,
     fmu_with_parts as fmu_with_parts,
+    has_si_unit as has_si_unit,
     law_of_fmu as law_of_fmu,
     mounted_fmu as mounted_fmu,
+    require_si_units as require_si_units,
 )
 from .release_report import (
     ReleasePeak as ReleasePeak,

@@ -20,7 +20,7 @@ from pyjoystick import model  # lazily: its reference loads SciPy, which FMU run
 from pyjoystick.fmu import Fmu, FmuDescription, UnsupportedFmuError
 from pyjoystick.model import FRICTION_NAMES, NOMINAL, NOMINAL_POWER_LAW, STOP_NAMES, JoystickParameters
 from pyjoystick.motion import DisplayUnit, Quantity, make_table
-from pyjoystick.runs.joystick_fmus import fmu_of_joystick, law_of_fmu
+from pyjoystick.runs.joystick_fmus import fmu_of_joystick, law_of_fmu, require_si_units
 from pyjoystick.support import (
     DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL,
@@ -105,11 +105,12 @@ def free_oscillation(
 
 
 def require_joystick(description: FmuDescription) -> None:
-    """Raise `UnsupportedFmuError` unless the FMU has what a free oscillation sets and reads."""
+    """Raise `UnsupportedFmuError` unless the FMU has what a free oscillation sets and reads, in SI units."""
     missing = [name for name in ("theta_start", *COLUMNS) if name not in description.variables]
     if missing:
         reason = f"does not have the interface of Joystick: it lacks {', '.join(missing)}"
         raise UnsupportedFmuError(description.path, reason)
+    require_si_units(description, (*description.settable_names(), *COLUMNS))
 
 
 def reference_free_oscillation(

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from decimal import Decimal
 from pathlib import Path
 from typing import Any, Final
 
@@ -17,8 +18,9 @@ from pyjoystick.fmu import (
     find_fmu,
     read_description,
 )
-from pyjoystick.model import FRICTION_NAMES, STOP_NAMES, read_parameter_file, values_for
-from pyjoystick.runs.joystick_fmus import law_of_fmu
+from pyjoystick.model import FRICTION_NAMES, STOP_NAMES, read_parameter_file, units_of, values_for
+from pyjoystick.motion import UNITS, amount_of, plain_unit
+from pyjoystick.runs.joystick_fmus import NO_UNIT, law_of_fmu
 from pyjoystick.support import ParameterError, Table
 
 _HINTS: Final = {
@@ -91,6 +93,43 @@ def difference_of(variable: Variable, given: Any) -> float:
     if isinstance(number, bool) or not isinstance(number, int | float) or not 0.0 < number < float("inf"):
         raise ParameterError(variable.name, given, f"a finite number above 0 {variable.unit}".rstrip())
     return float(number)
+
+
+def amount_for(name: str, text: str, fmus: Sequence[FmuDescription]) -> float:
+    """A number in the unit that FMUs declare for a variable, from text such as ``24.1mm``.
+
+    The text may have the declared unit, the display unit, or another unit of the same kind. Without a
+    declared unit, nothing tells what the unit of a text means.
+
+    Raises:
+        ValueError: the text does not start with a number
+        ParameterError: another unit, or the FMUs declare different ones
+    """
+    variables = [fmu.variables[name] for fmu in fmus if name in fmu.variables]
+    declared = {plain_unit(variable.unit) for variable in variables}
+    if len(declared) > 1:
+        names = " and ".join(variable.unit or "none" for variable in variables)
+        raise ParameterError(
+            name, text, "a number without a unit", f"the FMUs declare different ones: {names}"
+        )
+    return amount_of(name, text, _units(variables[0]) if variables else {})
+
+
+def _units(variable: Variable) -> dict[str, float]:
+    """Units in which values of a variable may be given, with factors to the declared unit."""
+    declared = plain_unit(variable.unit)
+    if declared in NO_UNIT:
+        return {}
+    kinds = [units for units in UNITS.values() if declared in units]
+    own = units_of(variable.name) or {}
+    # What g declares is not certain: it is a mass or an acceleration.
+    known = own if declared in own else kinds[0] if len(kinds) == 1 else {declared: 1.0}
+    base = Decimal(repr(known[declared]))
+    units = {unit: float(Decimal(repr(factor)) / base) for unit, factor in known.items()}
+    display = variable.display_unit
+    if display and not display.offset:
+        units.setdefault(plain_unit(display.unit), 1.0 / display.factor)
+    return units
 
 
 def _converted(variable: Variable, text: str, *, is_difference: bool) -> float:

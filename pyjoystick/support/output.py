@@ -24,6 +24,8 @@ _LOG = logging.getLogger(__name__)
 FIGURE_SUFFIXES: Final = (".png", ".pdf", ".svg")
 #: Names of files that `replacing` is writing.
 _UNFINISHED: Final = re.compile(r"\..+-\d+-[0-9a-f]{8}(\.\w+)?")
+#: Characters of the name of a file that its temporary name keeps.
+_KEPT: Final = 40
 #: Packages that results depend on.
 _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 
@@ -38,7 +40,8 @@ def replacing(path: str | PathLike[str]) -> Iterator[Path]:
         OutputFileError: the file cannot be written there
     """
     path = Path(path)
-    temporary = path.with_name(f".{path.stem}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
+    # Shortened, so that it is no longer than the longest name that a file may have.
+    temporary = path.with_name(f".{path.stem[:_KEPT]}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -76,9 +79,13 @@ def check_outputs(*paths: Path | None) -> None:
     for i, path in enumerate(wanted):
         if path.resolve() in [other.resolve() for other in wanted[:i]]:
             raise OutputFileError(path, "another result is written there too")
-        if path.is_dir():
+        try:
+            is_folder = path.is_dir()
+            folder = next(parent for parent in path.absolute().parents if parent.exists())
+        except OSError as error:  # the name is too long
+            raise OutputFileError(path, error.strerror or str(error)) from error
+        if is_folder:
             raise OutputFileError(path, "it is a folder")
-        folder = next(parent for parent in path.absolute().parents if parent.exists())
         try:
             with tempfile.TemporaryFile(dir=folder):
                 pass

@@ -15,6 +15,7 @@ from pyjoystick.identification.fitting.result import Fit
 from pyjoystick.identification.fitting.settings_file import is_driven, reads_releases
 from pyjoystick.identification.fitting.text_report import report
 from pyjoystick.motion import Record, read_repeats, require_plausible_load
+from pyjoystick.runs import require_si_units
 from pyjoystick.support import write_text
 
 
@@ -32,8 +33,12 @@ def read_records(
     They are releases, read by `pyjoystick.motion.read_repeats` with these options, or tables of the
     FMU's variables, read by `pyjoystick.fmu.read_variables`; both raise RecordError. The torque that drives a
     joystick must not exceed 200 N m.
+
+    Raises:
+        UnsupportedFmuError: they are releases, in SI units, and the FMU declares other ones
     """
     if reads_releases(settings):
+        require_si_units(fmu, settings.outputs)
         counted = settings.comparison == "peaks"
         return [*read_repeats(paths, columns=columns, units=units, both_sides=both_sides, counted=counted)]
     names = (*settings.outputs, *settings.inputs)

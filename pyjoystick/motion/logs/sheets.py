@@ -12,6 +12,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.motion.logs.grid import Row, text_of
+from pyjoystick.motion.logs.workbooks import read_ods, read_xlsx
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
 
@@ -108,10 +109,6 @@ def package_of(module: str) -> str:
     return {"odf": "odfpy"}.get(module, module)
 
 
-def _workbook(path: Path) -> dict[str, pd.DataFrame]:
-    return pd.read_excel(path, sheet_name=None, header=None, dtype=object, na_filter=False)
-
-
 def _parquet(path: Path) -> dict[str, pd.DataFrame]:
     frame = pd.read_parquet(path, engine="pyarrow")
     if frame.index.name is not None:
@@ -187,8 +184,8 @@ def _headed(columns: Mapping[str, Any]) -> pd.DataFrame:
 
 
 _READERS: Final[Mapping[str, tuple[str, str, Callable[[Path], dict[str, pd.DataFrame]]]]] = {
-    "xlsx": ("openpyxl", "excel", _workbook),
-    "ods": ("odf", "ods", _workbook),
+    "xlsx": ("openpyxl", "excel", read_xlsx),
+    "ods": ("odf", "ods", read_ods),
     "matlab": ("scipy", "matlab", _matlab),
     "matlab 7.3": ("h5py", "matlab", _matlab_7_3),
     "parquet": ("pyarrow", "parquet", _parquet),

@@ -24,6 +24,7 @@ from pyjoystick.fmu import (
     run_model_exchange,
 )
 from pyjoystick.runs.experiments import COLUMNS
+from pyjoystick.runs.joystick_fmus import has_si_unit
 from pyjoystick.support import (
     DEFAULT_DURATION,
     DEFAULT_OUTPUT_INTERVAL,
@@ -68,13 +69,17 @@ class Experiment:
 
 
 def is_joystick(fmu: FmuDescription) -> bool:
-    """Whether it has what a free oscillation sets and reads."""
-    return {"theta_start", *COLUMNS} <= set(fmu.variables)
+    """Whether it has what a free oscillation sets and reads, in SI units."""
+    return _has(fmu, ("theta_start", *COLUMNS))
 
 
 def is_inverse(fmu: FmuDescription) -> bool:
-    """Whether its inputs are a motion, as in ``JoystickInverse``."""
-    return set(fmu.names("input")) == set(_MOTION)
+    """Whether its inputs are a motion in SI units, as in ``JoystickInverse``."""
+    return set(fmu.names("input")) == set(_MOTION) and _has(fmu, _MOTION)
+
+
+def _has(fmu: FmuDescription, names: Sequence[str]) -> bool:
+    return all(name in fmu.variables and has_si_unit(fmu, name) for name in names)
 
 
 def experiments_for(

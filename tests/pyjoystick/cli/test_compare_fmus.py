@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
 from pyjoystick.fmu import Fmu
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.cli.conftest import Command
+from tests.pyjoystick.fmu.doctored import doctored
 
 SAME = ("--set", "n=3", "--set", "inverted=0")
 
@@ -186,6 +189,69 @@ def test_wrong_input_is_one_message(
     outcome = command("compare", first, second, *arguments)
     assert (outcome.code, outcome.out) == (1, "")
     assert message in outcome.message
+
+
+def _in_mm(fmu: str, folder: Path) -> str:
+    """First.fmu with a parameter and an output that only have the names of a joystick's."""
+
+    def renamed(text: str) -> str:
+        for name, other, unit in (("k", "a", "1/s"), ("x", "h", "m")):
+            text, changed = re.subn(
+                f'name="{name}"(.*?) unit="{unit}"',
+                rf'name="{other}"\1 unit="mm"',
+                text,
+                count=1,
+                flags=re.DOTALL,
+            )
+            assert changed
+        return text
+
+    return str(doctored(Path(fmu), folder / "mm.fmu", description=renamed))
+
+
+def test_units_are_those_that_the_fmu_declares(command: Command, first: str, tmp_path: Path) -> None:
+    arguments = ("compare", *2 * [_in_mm(first, tmp_path)], "--interface", "me", "--variable", "h")
+    assert command(*arguments, "--set", "a=0.5kg").message.startswith(
+        "a = 0.5kg: must be a number, or one with"
+    )
+    assert command(*arguments, "--limit", "h=2mm", "--json", "a.json").code == 0
+    (run,) = json.loads((tmp_path / "a.json").read_text())["runs"]
+    assert run["differences"][0]["limit"] == 2.0
+
+
+def test_a_value_is_set_in_the_unit_that_the_fmu_declares(
+    command: Command, first: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = []
+
+    def experiments(*_: object, settings: object, **__: object) -> None:
+        given.append(settings)
+        raise ParameterError("a", 0.0, "seen")
+
+    monkeypatch.setattr("pyjoystick.runs.experiments_for", experiments)
+    for text in ("a=0.5mm", "a=0.05cm", "a=0.5"):
+        command("compare", *2 * [_in_mm(first, tmp_path)], "--set", text)
+    assert given == 3 * [{"a": 0.5}]
+
+
+def test_a_joystick_in_other_units_is_not_run_as_one(
+    command: Command, fmus_by_name: Path, tmp_path: Path
+) -> None:
+    def in_mm(text: str) -> str:
+        return text.replace(
+            'start="0.02398" quantity="Length" min="1e-60" unit="m"', 'start="23.98" unit="mm"'
+        )
+
+    path = str(doctored(fmus_by_name / "Joystick.fmu", tmp_path / "mm.fmu", description=in_mm))
+    told = "mm.fmu: declares a in mm; that of a joystick is in m"
+    command("parameters", "-o", "joystick.toml")
+    for arguments in (
+        ("compare", path),
+        ("free-oscillation", "--fmu", path),
+        ("compare", path, path, "--parameters", "joystick.toml"),
+    ):
+        assert told in command(*arguments).message
+    assert command("compare", path, path, "--set", "a=24mm", "-d", "0.01", "--interface", "me").code == 0
 
 
 def test_an_fmu_that_is_missing(command: Command, first: str) -> None:

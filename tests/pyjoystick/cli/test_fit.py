@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from pyjoystick.identification import FitInterruptedError
 from pyjoystick.model import NOMINAL, PAPER, ConstantDamping, read_parameter_file, simulate, write_parameters
 from tests.pyjoystick.cli.conftest import Command
+from tests.pyjoystick.fmu.doctored import doctored
 
 DATA = Path(__file__).parents[3] / "scenarios" / "data"
 RECORDS = sorted(str(path) for path in DATA.glob("synthetic_constant_*.csv"))
@@ -53,6 +55,16 @@ def test_report_and_files(command: Command, tmp_path: Path) -> None:
     assert written == {
         "fit.md", "fit.json", "records.png", "residuals.png", "correlation.png", "profiles.png"
     }  # fmt: skip
+
+
+def test_an_fmu_whose_angle_is_in_degrees(command: Command, fmus_by_name: Path, tmp_path: Path) -> None:
+    def in_degrees(text: str) -> str:
+        return re.sub(r'(name="theta"[^>]*>\s*<Real[^>]*) unit="rad"', r'\1 unit="deg"', text)
+
+    doctored(fmus_by_name / "Joystick.fmu", tmp_path / "deg.fmu", description=in_degrees)
+    (tmp_path / "fit.toml").write_text(SETTINGS.replace('"Joystick"', '"deg.fmu"'), encoding="utf-8")
+    told = command("fit", RECORDS[0], "--settings", "fit.toml").message
+    assert told.endswith("deg.fmu: declares theta in deg; that of a joystick is in rad")
 
 
 @pytest.mark.usefixtures("fmus_by_name")

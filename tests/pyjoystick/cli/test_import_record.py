@@ -99,6 +99,9 @@ def test_readings_are_calibrated(tmp_path: Path, command: Command) -> None:
     for wrong in ("theta=0.01deg", "theta=deg/count", "T=4deg/V", "J=4deg/V", "theta=1deg/apple"):
         assert "must be NAME=FACTOR, such as" in command(*arguments, "--scale", wrong).err
     assert "theta has no --scale" in command(*arguments, "--zero", "theta=1").err
+    # 20.48 deg is no reading: in rad, it would be taken for one of 0.357 counts.
+    refused = command(*arguments, *scales, "--zero", "omega=20.48deg/s").message
+    assert refused == "--zero omega = 20.48deg/s: must be a number without a unit"
 
 
 def test_options_go_before_what_the_file_says(tmp_path: Path, command: Command) -> None:

@@ -161,3 +161,18 @@ def test_a_current_folder_that_has_gone_is_named(tmp_path: Path) -> None:
     )
     assert done.returncode == 1
     assert done.stderr == "error: the current folder cannot be used: No such file or directory\n"
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("compare", "{}.fmu"),
+        ("new", "{}"),
+        ("import", "record", "{}.csv", "-o", "{}.csv"),
+        ("export", "-o", "{}"),
+    ],
+)
+def test_a_name_that_no_file_can_have(arguments: tuple[str, ...], command: Command) -> None:
+    message = command(*(one.format("x" * 300) for one in arguments)).message
+    assert message.startswith("cannot use the path xxx")
+    assert message.endswith(": File name too long")

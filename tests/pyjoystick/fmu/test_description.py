@@ -13,6 +13,8 @@ import pytest
 from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError, read_description
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import DisplayUnit
+from pyjoystick.runs import value_of
+from pyjoystick.support import ParameterError
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
 
 
@@ -125,6 +127,30 @@ def test_variables_of_fmi_3_that_cannot_be_told_apart(
     path = doctored(joystick_path, tmp_path / "odd.fmu", description=lambda _: text)
     with pytest.raises(FmuFileError, match=rf"odd\.fmu: {message}"):
         read_description(path)
+
+
+@pytest.mark.parametrize(
+    "attributes", ['inverse="true"', 'factor="2" inverse="1"', 'factor="0"', 'factor="INF"']
+)
+def test_display_units_that_no_factor_and_offset_convert(
+    attributes: str, joystick_path: Path, tmp_path: Path
+) -> None:
+    shown = f'<DisplayUnit name="s" {attributes}/><DisplayUnit name="1/min" factor="60" inverse="false"/>'
+    units = f'<UnitDefinitions><Unit name="1/s"><BaseUnit s="-1"/>{shown}</Unit></UnitDefinitions>'
+    rates = "".join(
+        f'<Float64 name="{name}" valueReference="{i}" causality="parameter" variability="fixed" start="1" '
+        f'unit="1/s" displayUnit="{unit}"/>'
+        for i, (name, unit) in enumerate({"k": "s", "n": "1/min"}.items(), start=1)
+    )
+    text = FMI_3.replace("<ModelVariables>", f"{units}<ModelVariables>{rates}")
+    path = doctored(joystick_path, tmp_path / "3.fmu", description=lambda _: text)
+    variables = read_description(path).variables
+    assert variables["n"].display_unit == DisplayUnit("1/min", 60.0)
+    assert variables["k"].display_unit is None
+    with pytest.raises(
+        ParameterError, match=r"k = \"0.25s\": must be a number in 1/s, or text with the unit 1/s"
+    ):
+        value_of(variables["k"], "0.25s")
 
 
 def test_a_file_that_is_no_archive(tmp_path: Path) -> None:

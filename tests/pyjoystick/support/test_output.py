@@ -79,6 +79,16 @@ def test_outputs_that_cannot_be_written_are_found_before(tmp_path: Path) -> None
             check_outputs(tmp_path / name)
 
 
+def test_names_of_every_length(tmp_path: Path) -> None:
+    for name in ("x" * 251 + ".csv", "\N{GREEK SMALL LETTER THETA}" * 125 + ".json"):
+        check_outputs(tmp_path / name)
+        write_text(tmp_path / name, "text")
+        assert (tmp_path / name).read_text() == "text"
+    for name in ("x" * 252 + ".csv", "x" * 256 + "/x.csv"):
+        with pytest.raises(OutputFileError, match="File name too long"):
+            check_outputs(tmp_path / name)
+
+
 def test_a_folder_that_is_locked_is_found_before(tmp_path: Path) -> None:
     folder = tmp_path / "locked"
     folder.mkdir(mode=0o500)

@@ -44,6 +44,22 @@ def test_joysticks_are_let_go_on_both_sides_and_driven(joystick: FmuDescription)
     assert driven.inputs["T"].max() == pytest.approx(2.0, abs=1e-3)
 
 
+@pytest.mark.parametrize("name", ["joystick", "inverse"])
+def test_an_angle_in_degrees_makes_no_joystick(
+    name: str, request: pytest.FixtureRequest, tmp_path: Path
+) -> None:
+    path = request.getfixturevalue(name).path
+
+    def in_degrees(text: str) -> str:
+        return re.sub(r'(name="theta"[^>]*>\s*<Real[^>]*) unit="rad"', r'\1 unit="deg"', text)
+
+    other = read_description(doctored(path, tmp_path / "deg.fmu", description=in_degrees))
+    assert other.variables["theta"].unit == "deg"
+    (one,) = experiments_for(other, other)
+    assert one.label == "0 to 1.5 s"
+    assert one.parameters == {}
+
+
 def test_angles_and_lengths_can_be_chosen(joystick: FmuDescription) -> None:
     (one,) = experiments_for(
         joystick, joystick, release_angles=[0.1], duration=0.7, output_interval=0.01, settings={"J": 0.02}
