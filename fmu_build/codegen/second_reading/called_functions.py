@@ -68,9 +68,7 @@ def sizes_of_result(
     name = [*function.outputs][place]
     if name not in variables.leaves:
         return (sum(math.prod(variables.sizes[leaf]) for leaf in leaves_in(variables, name)),)
-    # rumoca has an argument for each member of a record.
-    is_known = len(function.inputs) == len(arguments)
-    given = dict(zip(function.inputs, arguments, strict=True)) if is_known else {}
+    given = dict(zip(function.inputs, arguments, strict=True))
     return tuple(
         whole(value_of(tokens, _Names(variables, given, names_in(scope.around))))
         for tokens, scope in variables.dimensions[name]

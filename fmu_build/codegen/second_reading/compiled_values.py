@@ -10,7 +10,7 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.arithmetic import OPERATORS, built_in
 from fmu_build.codegen.second_reading.called_functions import variables_of
 from fmu_build.codegen.second_reading.functions import Function, plain_function
-from fmu_build.codegen.second_reading.gathered import flattened, gathered, indexed
+from fmu_build.codegen.second_reading.gathered import flattened, gathered, indexed, leaves_in
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.operations import (
     UnknownError,
@@ -191,19 +191,24 @@ class CompiledValues:
         return self._constructed(content) if content["is_constructor"] else self.result(name, content, 0)
 
     def _constructed(self, content: Mapping[str, Any]) -> Value:
-        found, names = self._constructor(content)
-        values = [self.of(one) for one in content["args"]]
-        return self._point.constructed(found, [], dict(zip(names, values, strict=True)))
+        function = self._function(content["name"]["name"])
+        return self._point.constructed(self._constructor(content), [], self._arguments(function, content))
 
-    def _constructor(self, content: Mapping[str, Any]) -> tuple[Constructor, list[str]]:
-        """Return the constructor that is called, and the names of its arguments in rumoca's order."""
-        name = content["name"]["name"]
-        function, instances = self._function(name), self._point.instances
+    def _arguments(self, function: Mapping[str, Any], content: Mapping[str, Any]) -> dict[str, Value]:
+        """Return the arguments of a call by the names that rumoca gives to the inputs."""
+        names = [one["name"] for one in function["inputs"]]
+        if len(names) != len(content["args"]):
+            raise UnknownError
+        return dict(zip(names, map(self.of, content["args"]), strict=True))
+
+    def _constructor(self, content: Mapping[str, Any]) -> Constructor:
+        """Return the constructor that is called."""
+        function, instances = self._function(content["name"]["name"]), self._point.instances
         declared, package = compiled_class(self._model, instances.library, function, self._around(content))
         found = constructor(instances, declared, package)
         if found is None:
             raise UnknownError
-        return found, [one["name"] for one in function["inputs"]]
+        return found
 
     def _fieldaccess(self, content: Mapping[str, Any]) -> Value:
         names, ((kind, base),) = [content["field"]], content["base"].items()
@@ -214,7 +219,7 @@ class CompiledValues:
             raise UnknownError
         record = self._functioncall(base)
         if base["is_constructor"]:
-            return member_of(self._constructor(base)[0].variables, "", record, names)
+            return member_of(self._constructor(base).variables, "", record, names)
         instances = self._point.instances
         function = compiled_function(
             self._model, instances.library, self._function(base["name"]["name"]), self._around(base)
@@ -224,9 +229,12 @@ class CompiledValues:
 
     def result(self, name: str, content: Mapping[str, Any], place: int) -> Value:
         """Return the result in a place of a call of a function."""
-        library = self._point.instances.library
-        found = compiled_function(self._model, library, self._function(name), self._around(content))
-        return self._point.result(found, [self.of(one) for one in content["args"]], place)
+        instances, function = self._point.instances, self._function(name)
+        found = compiled_function(self._model, instances.library, function, self._around(content))
+        values = self._arguments(function, content)
+        return self._point.result(
+            found, in_declared_order(found, variables_of(instances, found), values), place
+        )
 
     def _function(self, name: str) -> Mapping[str, Any]:
         found: Mapping[str, Any] | None = self._model.flat["functions"].get(name)
@@ -252,6 +260,24 @@ class CompiledValues:
         if any(a.shape != b.shape for a, b in pairs):
             raise UnknownError
         return flattened(a - b for a, b in pairs)
+
+
+def in_declared_order(function: Function, variables: Instances, values: Mapping[str, Value]) -> list[Value]:
+    """Return the arguments of a function by the order of its inputs; rumoca may have another one.
+
+    A record is the vector of its members, for each of which rumoca has an argument, as ``r_a``. Raises
+    `UnknownError` if names differ.
+    """
+    found = []
+    for name in function.inputs:
+        if name in values:
+            found.append(values[name])
+        else:
+            members = [leaf.replace(".", "_") for leaf in leaves_in(variables, name)]
+            if not values.keys() >= {*members}:
+                raise UnknownError
+            found.append(flattened(values[one] for one in members))
+    return found
 
 
 def member_of_input(instances: Instances, name: str) -> str:

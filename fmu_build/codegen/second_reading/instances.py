@@ -123,7 +123,7 @@ class Instances:
         parts: the other components by path, with the subscripts of arrays; the path of the model is empty
         sizes: of all components, by path; the last name has no subscripts
         dimensions: the expressions of all sizes, also of those that are not known, with their scopes
-        order: the names of the members of components in the order of their declaration
+        order: the names of the members of components in the order of their declaration, if it is known
         absent: the paths of components whose conditions are false
         mistakes: what is invalid in the modifiers, each with the name that it is about
         unknown: what rumoca may have lost without a trace, with the class in which it stands
@@ -313,8 +313,8 @@ class Instances:
         }
         if not is_known:
             return
-        self.order[path] = [one.component.name for one in members]
         with suppress(UnknownError):
+            self.order[path] = [*self.library.components(owner)]
             self.parts[path] = Part(tuple(self.library.lineage(owner)), owner.kind)
         self.mistakes += unknown_names(self.library, path, owner, given, names)
         self.mistakes += repeated_components(path, ((one.component, one.around) for one in members))

@@ -102,10 +102,11 @@ class Point:
 
     def dependent(self, key: str, arguments: Sequence[Value]) -> Value:
         """Return a number that depends on arguments, and on a key in which way."""
-        # rumoca has an argument for each member of a record.
-        numbers = flattened(arguments)
-        weights = self._random(f"{key} arguments", PREDEFINED["Real"], numbers.shape)
-        return as_value(float(np.sum(np.sin(weights + numbers))))
+        found = 0.0
+        for place, argument in enumerate(arguments):
+            weights = self._random(f"{key} {place}", PREDEFINED["Real"], argument.shape)
+            found += float(np.sum(np.sin(weights + argument)))
+        return as_value(found)
 
     def constructed(
         self, constructor: Constructor, arguments: Sequence[Value], named: Mapping[str, Value]

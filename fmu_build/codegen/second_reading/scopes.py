@@ -162,7 +162,7 @@ class Library:
     def components(self, owner: Class) -> Mapping[str, tuple[Class, Component]]:
         """Return the components of a class by name, each with the class that declares it, perhaps a base.
 
-        Inherited ones come first.
+        Inherited ones stand in the place of their extends clause (section 5.6.1).
 
         Raises `UnknownError` if a base is not known.
         """
@@ -170,9 +170,11 @@ class Library:
             if not owner.is_certain:
                 raise UnknownError
             found: dict[str, tuple[Class, Component]] = {}
-            for base in self.bases(owner):
+            own = [(component.name, (owner, component)) for component in owner.components]
+            for place, base in enumerate(self.bases(owner)):
+                found |= dict(own[: owner.first[place]] if owner.first else ())
                 found |= self.components(base)
-            found |= {component.name: (owner, component) for component in owner.components}
+            found |= dict(own)
             self._components[id(owner)] = found
         return self._components[id(owner)]
 

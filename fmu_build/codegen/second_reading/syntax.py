@@ -93,6 +93,7 @@ class Class:
     Attributes:
         file: the number of the text in which it stands, from the offset `start` to `end`
         bases: names of base classes with their modifiers; for a short class, the class that it stands for
+        first: how many of its components are declared before each extends clause
         dimensions: subscripts of the class for which a short class stands
         imports: qualified names by the name under which they are known; "*" for unqualified imports
         constraint: what its constraining clause gives, None if it has no such clause
@@ -104,6 +105,7 @@ class Class:
     around: Class | None
     prefixes: frozenset[str] = frozenset()
     bases: list[tuple[str, Modifier]] = field(default_factory=list)
+    first: list[int] = field(default_factory=list)
     components: list[Component] = field(default_factory=list)
     classes: dict[str, Class] = field(default_factory=dict)
     imports: list[tuple[str, str]] = field(default_factory=list)
@@ -296,6 +298,7 @@ class _Parser:
             self._import(owner)
         elif self.take_if("extends"):
             base = self.name()
+            owner.first.append(len(owner.components))
             owner.bases.append((base, Modifier(inner=self._arguments() if self.here == "(" else {})))
         elif self.here != ";":
             prefixes = frozenset(self.take_all(_PREFIXES | _CLASS_PREFIXES))

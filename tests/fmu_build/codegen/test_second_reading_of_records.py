@@ -242,3 +242,14 @@ def test_a_note_on_what_is_not_computed(tmp_path: Path) -> None:
     _, log = generate_model(BuildRequest("M", tmp_path, file))
     assert "Not computed by the second reading" in log
     assert "P.applied(function P.double(), time) in M; the function P.applied." in log
+
+
+def test_inputs_before_an_extends_clause(tmp_path: Path) -> None:
+    """They come first (section 5.6.1); rumoca begins with the inherited ones."""
+    message = _refused(
+        "partial function G input Real a; output Real y; end G; "
+        "function f input Real b; extends G; algorithm y := 10*a + b; end f; "
+        "function h = f; model M Real y = h(5*time, 6); end M;",
+        tmp_path,
+    )
+    assert "the equation h(5 * time, 6) differs" in message
