@@ -9,20 +9,20 @@ from dataclasses import dataclass
 from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, value_of
 from fmu_build.codegen.second_reading.functions import Function
 from fmu_build.codegen.second_reading.gathered import indexed, leaves_in
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, whole
 from fmu_build.codegen.second_reading.records import member_of
 from fmu_build.codegen.second_reading.syntax import Class
 
 
-def variables_of(instances: Instances, function: Function) -> Instances:
+def variables_of(instances: Variables, function: Function) -> Variables:
     """Return the variables of a function."""
     return instances.of_class(function.declared, function.heir)
 
 
 def all_arguments(
     function: Function,
-    variables: Instances,
+    variables: Variables,
     arguments: Sequence[Value],
     named: Mapping[str, Value],
     names_in: Callable[[Class], Names],
@@ -54,7 +54,7 @@ def all_arguments(
 
 def sizes_of_result(
     function: Function,
-    variables: Instances,
+    variables: Variables,
     arguments: Sequence[Value],
     place: int,
     names_in: Callable[[Class], Names],
@@ -79,7 +79,7 @@ def sizes_of_result(
 class _Names:
     """What names mean in declarations of a function: its arguments, or what they mean otherwise."""
 
-    variables: Instances
+    variables: Variables
     given: Mapping[str, Value]
     others: Names
     is_smooth: bool = False

@@ -18,7 +18,7 @@ from typing import Final
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import REDECLARE
 from fmu_build.codegen.second_reading.givens import Scope, Text, joined, nowhere
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
 from fmu_build.codegen.second_reading.syntax import Class, Tokens
@@ -27,7 +27,7 @@ _DEEPEST: Final = 20
 _AFTER_VALUES: Final = frozenset(("and", "annotation", "else", "elseif", "for", "if", "loop", "or", "then"))
 
 
-def captured_names(instances: Instances, texts: Iterable[Text]) -> Iterator[tuple[str, Class]]:
+def captured_names(instances: Variables, texts: Iterable[Text]) -> Iterator[tuple[str, Class]]:
     """Yield what names in texts would mean, and the base classes in which they stand."""
     for text in texts:
         part = instances.parts.get(text.scope.path)
@@ -46,7 +46,7 @@ def captured_in_packages(library: Library) -> Iterator[tuple[str, Class]]:
                         yield from _captured(library, derived, base, texts)
 
 
-def unknown_declarations(instances: Instances) -> Iterator[Text]:
+def unknown_declarations(instances: Variables) -> Iterator[Text]:
     """Yield the sizes and conditions of components of which nothing is known."""
     for path, part in instances.parts.items():
         for owner in part.classes:
@@ -58,7 +58,7 @@ def unknown_declarations(instances: Instances) -> Iterator[Text]:
 
 
 def uses_of_replaceable_packages(
-    model: LoweredModel, library: Library, instances: Instances, unknown: Iterable[Text]
+    model: LoweredModel, library: Library, instances: Variables, unknown: Iterable[Text]
 ) -> Iterator[tuple[str, Class]]:
     """Yield the constants of replaceable packages that inner classes use, and these classes."""
     used = [(text.scope.around, text.tokens) for text in unknown]
@@ -73,7 +73,7 @@ def uses_of_replaceable_packages(
 
 
 def constants_of_heirs(
-    library: Library, instances: Instances, unknown: Iterable[Text]
+    library: Library, instances: Variables, unknown: Iterable[Text]
 ) -> Iterator[tuple[str, Class]]:
     """Yield constants in unknown texts that rumoca may take from another heir of their package."""
     for text in unknown:
@@ -82,7 +82,7 @@ def constants_of_heirs(
                 yield f"the constant {name}", text.scope.around
 
 
-def _is_of_heirs(library: Library, instances: Instances, name: str, scope: Scope, depth: int) -> bool:
+def _is_of_heirs(library: Library, instances: Variables, name: str, scope: Scope, depth: int) -> bool:
     """Return whether a constant, or one that its value needs, stands in a package whose heirs have others."""
     try:
         if instances.means_member(name, scope):

@@ -14,7 +14,7 @@ from fmu_build.codegen.second_reading.agreement import Size, differ
 from fmu_build.codegen.second_reading.clause_values import compiled_values, source_values
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Scope, Text
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.points import Points
 from fmu_build.codegen.second_reading.residuals import kept_names
@@ -26,7 +26,7 @@ Trees: TypeAlias = Sequence[Mapping[str, Any]]
 _OF_COMPONENT = "algorithm from "
 
 
-def mistaken_clauses(model: LoweredModel, instances: Instances, unknown: list[Text]) -> Iterator[Difference]:
+def mistaken_clauses(model: LoweredModel, instances: Variables, unknown: list[Text]) -> Iterator[Difference]:
     """Yield what is wrong with when-clauses, assertions and algorithms, and where these stand.
 
     The texts of those that cannot be compared are added to `unknown`.
@@ -43,7 +43,7 @@ def mistaken_clauses(model: LoweredModel, instances: Instances, unknown: list[Te
 class _Clauses:
     """The clauses in one class of a component."""
 
-    def __init__(self, model: LoweredModel, instances: Instances, scope: Scope, unknown: list[Text]) -> None:
+    def __init__(self, model: LoweredModel, instances: Variables, scope: Scope, unknown: list[Text]) -> None:
         self._model = model
         self._instances = instances
         self._scope = scope

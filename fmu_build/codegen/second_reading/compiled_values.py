@@ -11,7 +11,7 @@ from fmu_build.codegen.second_reading.arithmetic import OPERATORS, built_in
 from fmu_build.codegen.second_reading.called_functions import variables_of
 from fmu_build.codegen.second_reading.functions import Function, plain_function
 from fmu_build.codegen.second_reading.gathered import flattened, gathered, indexed, leaves_in
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import (
     UnknownError,
     Value,
@@ -262,7 +262,7 @@ class CompiledValues:
         return flattened(a - b for a, b in pairs)
 
 
-def in_declared_order(function: Function, variables: Instances, values: Mapping[str, Value]) -> list[Value]:
+def in_declared_order(function: Function, variables: Variables, values: Mapping[str, Value]) -> list[Value]:
     """Return the arguments of a function by the order of its inputs; rumoca may have another one.
 
     A record is the vector of its members, for each of which rumoca has an argument, as ``r_a``. Raises
@@ -280,7 +280,7 @@ def in_declared_order(function: Function, variables: Instances, values: Mapping[
     return found
 
 
-def member_of_input(instances: Instances, name: str) -> str:
+def member_of_input(instances: Variables, name: str) -> str:
     """Return the member of a record for which rumoca has made an input with this name, as ``r_a``.
 
     Raises `UnknownError` if there is none, or more than one.

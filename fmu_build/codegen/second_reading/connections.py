@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import Any, Generic, TypeVar
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.givens import Mistake, Scope
-from fmu_build.codegen.second_reading.instances import Instances, Leaf, around
+from fmu_build.codegen.second_reading.givens import Mistake, Scope, around
+from fmu_build.codegen.second_reading.known_variables import Leaf, Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.references import Elements, elements, points
 from fmu_build.codegen.second_reading.sections import Branches, Connection, Loop, Statement, statements
@@ -107,7 +107,7 @@ class Connections:
         mistakes: connections that are invalid, each with the name that it is about
     """
 
-    def __init__(self, instances: Instances) -> None:
+    def __init__(self, instances: Variables) -> None:
         self.equal: _Sets[str] = _Sets()
         self.mistakes: list[Mistake] = []
         self._flows: _Sets[Flow] = _Sets()

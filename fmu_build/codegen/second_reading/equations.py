@@ -16,7 +16,7 @@ from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.captures import captured_names
 from fmu_build.codegen.second_reading.givens import Scope, Text, as_written, nowhere, plain
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import NAME, is_iterator, is_one_of
 from fmu_build.codegen.second_reading.residuals import Pass, Residuals, passes
@@ -36,7 +36,7 @@ Difference = tuple[str, Span]
 
 
 def mistaken_equations(
-    model: LoweredModel, instances: Instances, unknown: list[Text]
+    model: LoweredModel, instances: Variables, unknown: list[Text]
 ) -> Iterator[Difference]:
     """Yield what is wrong with the equations of components, and where these stand.
 
@@ -89,7 +89,7 @@ def _by_component(model: LoweredModel, kind: str) -> dict[str, list[_Compiled]]:
     return found
 
 
-def mistaken_names(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
+def mistaken_names(model: LoweredModel, instances: Variables, scope: Scope, tree: Any) -> Iterator[str]:
     """Yield names in an expression that rumoca takes for variables of another component."""
     for reference in expressions(tree, "VarRef"):
         if reference["name"]["instance_id"] is None or reference["span"]["source"] not in model.sources:
@@ -107,7 +107,7 @@ def mistaken_names(model: LoweredModel, instances: Instances, scope: Scope, tree
                     yield f"{written} means {found} instead of {prefix}{written}"
 
 
-def mistaken_numbers(model: LoweredModel, instances: Instances, scope: Scope, tree: Any) -> Iterator[str]:
+def mistaken_numbers(model: LoweredModel, instances: Variables, scope: Scope, tree: Any) -> Iterator[str]:
     """Yield numbers that rumoca has written for names of variables and constants, if these have others."""
     for span, value in _numbers(model, tree):
         if span["source"] not in model.sources or not scope.around.contains(
@@ -138,7 +138,7 @@ class _Comparison:
     """Compares the equations of one class with those that rumoca gives to a component of it."""
 
     def __init__(
-        self, model: LoweredModel, instances: Instances, scope: Scope, found: Sequence[_Compiled]
+        self, model: LoweredModel, instances: Variables, scope: Scope, found: Sequence[_Compiled]
     ) -> None:
         self._model = model
         self._instances = instances

@@ -20,7 +20,7 @@ from fmu_build.codegen.second_reading.compiled_values import (
 from fmu_build.codegen.second_reading.functions import Function
 from fmu_build.codegen.second_reading.gathered import flattened, leaves_in
 from fmu_build.codegen.second_reading.givens import Scope, Text, nowhere
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.points import Points, source_names
 from fmu_build.codegen.second_reading.residuals import kept_names, value_differs
@@ -30,7 +30,7 @@ from fmu_build.codegen.second_reading.syntax import Class
 
 
 def mistaken_functions(
-    model: LoweredModel, instances: Instances, unknown: list[Text], in_functions: list[Text]
+    model: LoweredModel, instances: Variables, unknown: list[Text], in_functions: list[Text]
 ) -> Iterator[tuple[str, Span]]:
     """Yield functions in which something differs in the compiler's reading, and where these stand.
 
@@ -70,7 +70,7 @@ def _callers(model: LoweredModel, library: Library) -> dict[str, Class]:
     return found
 
 
-def _differs(model: LoweredModel, function: Function, variables: Instances, one: Mapping[str, Any]) -> bool:
+def _differs(model: LoweredModel, function: Function, variables: Variables, one: Mapping[str, Any]) -> bool:
     """Return whether a function differs from that of the source.
 
     Raises `SyntaxError` or `UnknownError` if that is not known.
@@ -96,7 +96,7 @@ def _differs(model: LoweredModel, function: Function, variables: Instances, one:
     )
 
 
-def _default_differs(model: LoweredModel, variables: Instances, one: Mapping[str, Any]) -> bool:
+def _default_differs(model: LoweredModel, variables: Variables, one: Mapping[str, Any]) -> bool:
     name, default = one["name"], one["default"]
     if name in variables.order:
         if default is None:
@@ -119,7 +119,7 @@ def _default_differs(model: LoweredModel, variables: Instances, one: Mapping[str
     return default is not None and value_differs(model, variables, leaf.given, leaf.sizes, default)
 
 
-def _sizes_differ(model: LoweredModel, variables: Instances, one: Mapping[str, Any]) -> bool:
+def _sizes_differ(model: LoweredModel, variables: Variables, one: Mapping[str, Any]) -> bool:
     name, compiled = one["name"], [each["Expr"]["expr"] for each in one["shape_expr"] if "Expr" in each]
     if not compiled or name not in variables.dimensions:
         return False

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Final
 
@@ -181,3 +181,12 @@ def plain(path: str) -> str:
     while (shorter := _SUBSCRIPTS.sub("", path)) != path:
         path = shorter
     return path
+
+
+def around(name: str) -> Iterator[str]:
+    """Yield the paths of the components around a variable, the outermost first."""
+    depth = 0
+    for place, letter in enumerate(name):
+        depth += (letter == "[") - (letter == "]")
+        if letter == "." and not depth:
+            yield name[:place]

@@ -15,7 +15,7 @@ from typing import Any, Final
 from fmu_build.codegen.compiled import Span, expressions
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.second_reading.givens import nowhere
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class
@@ -26,7 +26,7 @@ _ROUNDING: Final = 1e-9
 
 
 def mistaken_packages(
-    model: LoweredModel, library: Library, instances: Instances
+    model: LoweredModel, library: Library, instances: Variables
 ) -> Iterator[tuple[str, Span]]:
     """Yield functions, constants and variables that are not what their names mean, and where these stand."""
     bindings = [one.get("binding") for one in model.flat["variables"].values()]
@@ -46,7 +46,7 @@ def _captured(
     model: LoweredModel,
     library: Library,
     reference: dict[str, Any],
-    instances: Instances | None,
+    instances: Variables | None,
 ) -> Iterator[tuple[str, Span]]:
     """Yield a name that means nothing in its class, but a component of the model, or a local of a function.
 
@@ -108,7 +108,7 @@ def _literal(
     model: LoweredModel,
     library: Library,
     literal: dict[str, Any],
-    instances: Instances,
+    instances: Variables,
 ) -> Iterator[tuple[str, Span]]:
     span, value = literal["span"], next(iter(literal["value"].values()))
     if isinstance(value, str) or span["source"] not in model.sources:

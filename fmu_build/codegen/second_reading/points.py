@@ -15,7 +15,7 @@ from fmu_build.codegen.second_reading.called_functions import all_arguments, siz
 from fmu_build.codegen.second_reading.functions import Function, function_of
 from fmu_build.codegen.second_reading.gathered import flattened, gathered, leaves_in
 from fmu_build.codegen.second_reading.givens import Scope, nowhere
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, called
 from fmu_build.codegen.second_reading.records import Constructor, constructor_of, member_of
 from fmu_build.codegen.second_reading.scopes import PREDEFINED
@@ -37,7 +37,7 @@ class Point:
     If it is smooth, expressions have numbers in the place of Booleans, as `smooth` in `operations` says.
     """
 
-    instances: Instances
+    instances: Variables
     number: int
     free: Set[str]
     is_smooth: bool
@@ -95,7 +95,7 @@ class Point:
         own = self._random(key, PREDEFINED["Real"], sizes)
         return as_value(self.dependent(key, arguments) + own)
 
-    def names_in(self, variables: Instances) -> Callable[[Class], Names]:
+    def names_in(self, variables: Variables) -> Callable[[Class], Names]:
         """Return what names in classes mean that are no variables of a function, with its heir."""
         point = Point(variables, self.number, frozenset(), self.is_smooth, is_replaced=False)
         return lambda around: source_names(point, nowhere(around))
@@ -145,7 +145,7 @@ class Points:
     where it has kept their names.
     """
 
-    def __init__(self, instances: Instances, kept: Set[str]) -> None:
+    def __init__(self, instances: Variables, kept: Set[str]) -> None:
         leaves = instances.leaves
         constants = {one for one in kept if one in leaves and leaves[one].is_constant}
         integers = {one for one in constants if leaves[one].kind is PREDEFINED["Integer"]}
@@ -157,7 +157,7 @@ class Points:
         self.of_replaced_names = _points(instances, constants - integers, is_replaced=has_equations)
 
 
-def _points(instances: Instances, free: Set[str], *, is_replaced: bool = False) -> list[Point]:
+def _points(instances: Variables, free: Set[str], *, is_replaced: bool = False) -> list[Point]:
     numbers = range(len(_RANGES))
     return [
         Point(instances, number, free, smooth, is_replaced) for smooth in (False, True) for number in numbers

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from fmu_build.codegen.second_reading.gathered import flattened, leaves_in
 from fmu_build.codegen.second_reading.givens import Scope, joined
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value
 from fmu_build.codegen.second_reading.record_values import argument_names
 from fmu_build.codegen.second_reading.syntax import Class
@@ -21,7 +21,7 @@ from fmu_build.codegen.second_reading.syntax import Class
 class Constructor:
     """The constructor of a record: its variables, and the names of its arguments."""
 
-    variables: Instances
+    variables: Variables
     names: Sequence[str]
 
     def given(self, arguments: Sequence[Value], named: Mapping[str, Value]) -> dict[str, Value]:
@@ -39,7 +39,7 @@ class Constructor:
         return found
 
 
-def constructor_of(instances: Instances, name: str, scope: Scope) -> Constructor | None:
+def constructor_of(instances: Variables, name: str, scope: Scope) -> Constructor | None:
     """Return the constructor that a name means in a scope; None if it means something else.
 
     Raises `UnknownError` if it is not known.
@@ -50,7 +50,7 @@ def constructor_of(instances: Instances, name: str, scope: Scope) -> Constructor
     return constructor(instances, found, around)
 
 
-def constructor(instances: Instances, found: Class, package: Class | None) -> Constructor | None:
+def constructor(instances: Variables, found: Class, package: Class | None) -> Constructor | None:
     """Return the constructor of a class in a package or class; None if it is no record."""
     library, declared = instances.library, found
     is_changed = False
@@ -67,7 +67,7 @@ def constructor(instances: Instances, found: Class, package: Class | None) -> Co
     return Constructor(variables, [one for one in argument_names(library, declared) if one not in final])
 
 
-def member_of(variables: Instances, path: str, record: Value, names: Sequence[str]) -> Value:
+def member_of(variables: Variables, path: str, record: Value, names: Sequence[str]) -> Value:
     """Return a member, of which the names are nested, of a component that is a record.
 
     Raises `UnknownError` if there is none.
@@ -83,7 +83,7 @@ def member_of(variables: Instances, path: str, record: Value, names: Sequence[st
     return values[member] if own == [member] else flattened(values[leaf] for leaf in own)
 
 
-def _split(variables: Instances, leaves: Sequence[str], value: Value) -> dict[str, Value]:
+def _split(variables: Variables, leaves: Sequence[str], value: Value) -> dict[str, Value]:
     """Return the values of variables from the vector of all."""
     if len(leaves) == 1:
         sizes = variables.sizes[leaves[0]]

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from fmu_build.codegen.second_reading.givens import Scope, joined
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.syntax import Tokens
 
@@ -23,7 +23,7 @@ class Elements:
 
 
 def elements(
-    instances: Instances, scope: Scope, reference: Tokens, iterators: Mapping[str, float]
+    instances: Variables, scope: Scope, reference: Tokens, iterators: Mapping[str, float]
 ) -> Elements | None:
     """Return what a reference means; None if that is absent.
 
@@ -74,7 +74,7 @@ def _parts(reference: Tokens) -> Iterator[tuple[str, list[Tokens]]]:
 
 
 def _chosen(
-    instances: Instances,
+    instances: Variables,
     scope: Scope,
     subscripts: Sequence[Tokens],
     sizes: Sequence[int],
@@ -94,7 +94,7 @@ def _chosen(
             yield [_whole(instances.number(subscript, scope, known))], False
 
 
-def indices(instances: Instances, scope: Scope, tokens: Tokens, iterators: Mapping[str, float]) -> list[int]:
+def indices(instances: Variables, scope: Scope, tokens: Tokens, iterators: Mapping[str, float]) -> list[int]:
     """Return the numbers in a range; raises `UnknownError` if they are not known."""
     places = [place for place, token in enumerate(tokens) if token == ":"]
     ends = zip([0, *(place + 1 for place in places)], [*places, len(tokens)], strict=True)
@@ -112,7 +112,7 @@ def _whole(number: float) -> int:
 
 
 def points(
-    instances: Instances,
+    instances: Variables,
     scope: Scope,
     ranges: Sequence[tuple[str, Tokens]],
     iterators: Mapping[str, float],

@@ -20,7 +20,7 @@ from fmu_build.codegen.second_reading.agreement import Size, differ
 from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
 from fmu_build.codegen.second_reading.compiled_values import CompiledValues
 from fmu_build.codegen.second_reading.givens import Given, Scope
-from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, choice, scalar
 from fmu_build.codegen.second_reading.points import Point, Points, source_names
 from fmu_build.codegen.second_reading.references import points
@@ -66,7 +66,7 @@ class Residuals:
     """The residuals of a statement in the source, and those of what rumoca has made of it."""
 
     def __init__(
-        self, model: LoweredModel, instances: Instances, scope: Scope, compiled: Sequence[Pass]
+        self, model: LoweredModel, instances: Variables, scope: Scope, compiled: Sequence[Pass]
     ) -> None:
         self._model = model
         self._instances = instances
@@ -161,7 +161,11 @@ def kept_names(trees: Sequence[Any]) -> frozenset[str]:
 
 
 def value_differs(
-    model: LoweredModel, instances: Instances, given: Given, sizes: tuple[int, ...], tree: Mapping[str, Any]
+    model: LoweredModel,
+    instances: Variables,
+    given: Given,
+    sizes: tuple[int, ...],
+    tree: Mapping[str, Any],
 ) -> bool:
     """Return whether rumoca's expression in a declaration has another value than what the source gives.
 

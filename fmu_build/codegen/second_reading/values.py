@@ -17,7 +17,7 @@ from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Given, Text, as_written
-from fmu_build.codegen.second_reading.instances import Instances, Leaf
+from fmu_build.codegen.second_reading.known_variables import Leaf, Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.residuals import value_differs
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
@@ -28,7 +28,7 @@ _ATTRIBUTES: Final = {"start": "start", "min": "minimum", "max": "maximum", "nom
 
 
 def mistaken_values(
-    model: LoweredModel, instances: Instances, unknown: list[Text]
+    model: LoweredModel, instances: Variables, unknown: list[Text]
 ) -> Iterator[tuple[str, Span]]:
     """Yield variables with another value, attribute or equation, and where they are declared.
 
@@ -47,7 +47,7 @@ def mistaken_values(
                 yield f"{difference}: {why} with this name", variable["declaration"]["span"]
 
 
-def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
+def _differences(instances: Variables, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
     """Yield the values and attributes whose numbers, in the stage after the flat model, differ."""
     attributes, inner = variable["attributes"], leaf.given.inner
     is_given = leaf.is_constant and bool(leaf.given.value)
@@ -71,7 +71,7 @@ def _differences(instances: Instances, leaf: Leaf, variable: dict[str, Any]) -> 
 
 
 def _in_attributes(
-    model: LoweredModel, instances: Instances, name: str, unknown: list[Text]
+    model: LoweredModel, instances: Variables, name: str, unknown: list[Text]
 ) -> Iterator[str]:
     """Yield the attributes of a variable that have other values in the flat model."""
     leaf, flat = instances.leaves[name], model.flat["variables"].get(name, {})
@@ -94,7 +94,7 @@ def _in_attributes(
                 unknown.append(Text(given.scope, given.value))
 
 
-def _in_equation(model: LoweredModel, instances: Instances, name: str, unknown: list[Text]) -> Iterator[str]:
+def _in_equation(model: LoweredModel, instances: Variables, name: str, unknown: list[Text]) -> Iterator[str]:
     """Yield what is wrong with the equation in the declaration of a variable."""
     leaf, flat = instances.leaves[name], model.flat["variables"].get(name)
     if flat is None:
@@ -120,7 +120,7 @@ def _in_equation(model: LoweredModel, instances: Instances, name: str, unknown: 
 
 
 def _in_text(
-    model: LoweredModel, instances: Instances, given: Given, binding: Mapping[str, Any]
+    model: LoweredModel, instances: Variables, given: Given, binding: Mapping[str, Any]
 ) -> Iterator[str]:
     """Yield how the text of an equation and its names differ from what is given."""
     ((_, content),) = binding.items()

@@ -8,15 +8,15 @@ from contextlib import suppress
 from typing import Final
 
 from fmu_build.codegen.lowered import LoweredModel
-from fmu_build.codegen.second_reading.givens import NOTHING, Scope, joined, plain
-from fmu_build.codegen.second_reading.instances import Instances, around
+from fmu_build.codegen.second_reading.givens import NOTHING, Scope, around, joined, plain
+from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.syntax import Tokens
 
 _DEEPEST: Final = 50
 
 
-def mistaken_variables(model: LoweredModel, instances: Instances) -> Iterator[str]:
+def mistaken_variables(model: LoweredModel, instances: Variables) -> Iterator[str]:
     """Yield the variables that are lost, that should not be there, or have other dimensions.
 
     rumoca keeps some arrays of components as components of arrays, which are not compared.
@@ -33,7 +33,7 @@ def mistaken_variables(model: LoweredModel, instances: Instances) -> Iterator[st
             yield from _not_meant(instances, name)
 
 
-def _not_meant(instances: Instances, name: str) -> Iterator[str]:
+def _not_meant(instances: Variables, name: str) -> Iterator[str]:
     """Yield why there should be no variable of this name, if that is known."""
     paths = ["", *around(name), name]
     for outer, path in itertools.pairwise(paths):
@@ -62,7 +62,7 @@ def _is_element(sizes: tuple[int, ...], subscripts: str) -> bool:
     )
 
 
-def _is_ambiguous_size(instances: Instances, path: str) -> bool:
+def _is_ambiguous_size(instances: Variables, path: str) -> bool:
     """Return whether a size of a component follows a qualified name that ends as a name of its class.
 
     This is so in ``A a; parameter Integer n = 3; S s[a.n]``.
@@ -72,7 +72,7 @@ def _is_ambiguous_size(instances: Instances, path: str) -> bool:
     return False
 
 
-def _is_ambiguous(instances: Instances, tokens: Tokens, scope: Scope, depth: int) -> bool:
+def _is_ambiguous(instances: Variables, tokens: Tokens, scope: Scope, depth: int) -> bool:
     own = instances.library.components(scope.around)
     for before, token, after in zip(("", *tokens), tokens, (*tokens[1:], ""), strict=False):
         if before == "." and after not in (".", "(") and token in own:
