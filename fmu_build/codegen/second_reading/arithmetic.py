@@ -169,7 +169,19 @@ class _Evaluation:
         if isinstance(tree, Reference):
             is_iterator = tree.name in self._iterators
             return not is_iterator and self._names.is_random(self._chosen(tree))
+        if isinstance(tree, Comprehension):
+            return self._is_random_for(tree.body, tree.iterators)
         return any(map(self._is_random, parts_of(tree)))
+
+    def _is_random_for(self, body: Expression, iterators: Sequence[tuple[str, Expression]]) -> bool:
+        if not iterators:
+            return self._is_random(body)
+        *outer, (name, numbers) = iterators
+        inner = (
+            _Evaluation(self._names, {**self._iterators, name: float(one)}, self._end)
+            for one in self.of(numbers).flat
+        )
+        return any(one._is_random_for(body, outer) for one in inner)
 
     def _reference(self, tree: Reference) -> Value:
         if tree.name in self._iterators and not tree.parts[0].subscripts:
@@ -252,6 +264,10 @@ class _Evaluation:
             return elements
         if tree.function not in _REDUCTIONS or not elements.size:
             raise UnknownError
+        if self._names.is_smooth and self._is_random(tree):
+            found = smooth(tree.function, [elements])
+            if found is not None:
+                return found
         # The elements of a sum may be arrays.
         axes = tuple(range(len(tree.iterators)))
         return as_value(_REDUCTIONS[tree.function](elements, axis=axes))

@@ -58,8 +58,7 @@ def reject_other_values(model: LoweredModel) -> list[str]:
     in_functions: list[Text] = []
     for difference, span in _differences(model, instances, connections, unknown, in_functions):
         raise model.unsupported(difference, span)
-    functions = [f"the function {one.scope.around.qualified}" for one in in_functions]
-    return [*dict.fromkeys([*(_described(one) for one in unknown if _is_own(one)), *functions])]
+    return [*dict.fromkeys(_described(one) for one in (*unknown, *in_functions) if _is_own(one))]
 
 
 def _is_own(text: Text) -> bool:
@@ -68,6 +67,8 @@ def _is_own(text: Text) -> bool:
 
 
 def _described(text: Text) -> str:
+    if text.tokens is text.scope.around.tokens:
+        return f"the function {text.scope.around.qualified}"
     written = as_written(text.tokens)
     short = written if len(written) <= _LONGEST else f"{written[:_LONGEST]}..."
     return f"{short} in {text.scope.around.qualified}"

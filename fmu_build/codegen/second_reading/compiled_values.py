@@ -215,6 +215,8 @@ class CompiledValues:
         while kind == "FieldAccess":
             names.insert(0, base["field"])
             ((kind, base),) = base["base"].items()
+        if kind in ("Index", "VarRef"):
+            return self._of_component(kind, base, names)
         if kind != "FunctionCall":
             raise UnknownError
         record = self._functioncall(base)
@@ -235,6 +237,17 @@ class CompiledValues:
         return self._point.result(
             found, in_declared_order(found, variables_of(instances, found), values), place
         )
+
+    def _of_component(self, kind: str, base: Mapping[str, Any], names: Sequence[str]) -> Value:
+        """Return the value of a member, of which the names are nested, of a component or its elements."""
+        if kind == "Index":
+            ((inner, variable),) = base["base"].items()
+            if inner != "VarRef" or variable["subscripts"]:
+                raise UnknownError
+            base = {"name": variable["name"], "subscripts": base["subscripts"]}
+        path, _, last = base["name"]["name"].rpartition(".")
+        reference = [(last, self._subscripts(base)), *((name, ()) for name in names)]
+        return gathered(self._point.instances, path, reference, self._point.of)
 
     def _function(self, name: str) -> Mapping[str, Any]:
         found: Mapping[str, Any] | None = self._model.flat["functions"].get(name)

@@ -46,8 +46,9 @@ def mistaken_functions(
         owner = library.class_at(span["source"], model.offset(span))
         text = Text(nowhere(owner), owner.tokens)
         try:
-            function = compiled_function(model, library, one, callers[one["name"]])
-        except (KeyError, UnknownError):
+            # Only the functions of derivatives have no calls.
+            function = compiled_function(model, library, one, callers.get(one["name"], owner))
+        except UnknownError:
             if not one["is_constructor"]:  # All calls of these have all arguments.
                 unknown.append(text)
             continue
@@ -120,20 +121,21 @@ def _default_differs(model: LoweredModel, variables: Variables, one: Mapping[str
 
 
 def _sizes_differ(model: LoweredModel, variables: Variables, one: Mapping[str, Any]) -> bool:
-    name, compiled = one["name"], [each["Expr"]["expr"] for each in one["shape_expr"] if "Expr" in each]
-    if not compiled or name not in variables.dimensions:
-        return False
-    dimensions = [(tokens, scope) for tokens, scope in variables.dimensions[name] if tokens != (":",)]
-    if len(dimensions) != len(one["shape_expr"]):
+    shape, dimensions = one["shape_expr"], variables.dimensions.get(one["name"], [])
+    if not dimensions:
+        return False  # a member of a record
+    if len(dimensions) != len(shape):
         raise UnknownError
-    meant = [
-        (tokens, scope)
-        for (tokens, scope), each in zip(dimensions, one["shape_expr"], strict=True)
+    compared = [
+        (*dimension, each["Expr"]["expr"])
+        for dimension, each in zip(dimensions, shape, strict=True)
         if "Expr" in each
     ]
+    if not compared:
+        return False
     return differ(
-        Points(variables, kept_names(compiled)),
-        lambda point: [value_of(tokens, source_names(point, scope)) for tokens, scope in meant],
-        lambda point: [CompiledValues(model, point, {}).of(tree) for tree in compiled],
+        Points(variables, kept_names([tree for *_, tree in compared])),
+        lambda point: [value_of(tokens, source_names(point, scope)) for tokens, scope, _ in compared],
+        lambda point: [CompiledValues(model, point, {}).of(tree) for *_, tree in compared],
         Size(),
     )

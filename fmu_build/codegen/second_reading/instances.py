@@ -37,8 +37,8 @@ _INHERITED: Final = frozenset(("flow", "stream", "parameter", "constant"))
 _MOST_ELEMENTS: Final = 1000
 _MOST_LEAVES: Final = 20_000
 _DEEPEST: Final = 50
-#: The size of arrays of functions that depends on arguments.
-_FREE_SIZE: Final = 3
+#: The size of arrays of functions that depends on arguments; random Integers are smaller.
+_FREE_SIZE: Final = 5
 
 
 class Instances(Variables):
@@ -210,12 +210,22 @@ class Instances(Variables):
         try:
             size = self.number(tokens, scope)
         except UnknownError:
-            if not self._has_free_sizes:
-                raise
-            return _FREE_SIZE
+            return self._size_of_type(tokens, scope)
         if size != int(size) or not 0 <= size <= _MOST_ELEMENTS:
             raise UnknownError
         return int(size)
+
+    def _size_of_type(self, tokens: Tokens, scope: Scope) -> int:
+        """Return the size for Booleans or the literals of an enumeration as subscripts, or a free one."""
+        with suppress(UnknownError):
+            kind = PREDEFINED["Boolean"]
+            if tokens != (kind.name,):
+                kind = self.lookup.class_in("".join(tokens).split("."), scope)
+            if kind.literals or kind is PREDEFINED["Boolean"]:
+                return len(kind.literals) or 2
+        if not self._has_free_sizes:
+            raise UnknownError
+        return _FREE_SIZE
 
     def _size_of_value(self, given: Given, place: int) -> int:
         """Return a size that follows from the value."""

@@ -26,6 +26,12 @@ package Q
   record Longer extends Inner; Real c = 3; end Longer;
   function scaled input Real x; input Real k = 4; output Real y; algorithm y := k*x; end scaled;
   function tripled = scaled(k = 3);
+  type Kind = enumeration(low, high);
+  function cell input Real t[:, 2]; input Integer k; output Real y;
+  algorithm y := t[k, 2] + t[k + 1, 1]; end cell;
+  function square input Real x; output Real y;
+  algorithm y := x*x; annotation (derivative = slope); end square;
+  function slope input Real x; input Real dx; output Real dy; algorithm dy := 2*x*dx; end slope;
   function swapped input Inner x; output Inner y; algorithm y := Inner(x.b, g*x.a); end swapped;
   function norm input Inner x; input Real w = 0.5; output Real y; algorithm y := w*(x.a^2 + x.b^2); end norm;
   function twice
@@ -69,6 +75,13 @@ package Q
     Longer longer = Longer(17, 18);
     Inner several[2] = {plain, Inner(19, 20)};
     Part part(o = outer1);
+    parameter Real weights[Kind] = {26, 27};
+    Real weighted = weights[Kind.high]*time;
+    Real largest = max(second[i] for i in 1:2);
+    Real total = sum(several[i].a for i in 1:2);
+    Real taken = cell([28, 29; 30, time], 1);
+    Real squared = square(time);
+    Real speed = der(squared);
     Real p, q[2], r, z, length, first, second[2], third;
   equation
     (p, q, r) = twice({time, 21});
