@@ -87,7 +87,11 @@ def function_of(library: Library, lookup: Lookup, name: str, scope: Scope) -> Fu
         return plain_function(library, library.element(package, last), package)
     other = lookup.redeclared(name, scope)
     if other is None:
-        return plain_function(library, lookup.class_in([name], scope), lookup.around(name, scope))
+        around = lookup.around(name, scope)
+        if around is None or around.kind != "package":
+            return plain_function(library, lookup.class_in([name], scope), around)
+        # Nothing redeclares what is in a known package, as a component may do for a model.
+        return plain_function(library, library.element(around, name), around)
     if not other.type or other.type_scope is None:
         raise UnknownError
     found = function_of(library, lookup, other.type, other.type_scope)

@@ -10,7 +10,7 @@ from functools import cached_property
 from typing import Final
 
 from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
-from fmu_build.codegen.second_reading.syntax import Class, Component, read_classes
+from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, read_classes
 
 PREDEFINED: Final = {
     name: Class(name, "type", None) for name in ("Real", "Integer", "Boolean", "String", "Clock")
@@ -141,15 +141,19 @@ class Library:
         """Return the class that a class or a base of it declares, even if it is replaceable.
 
         Raises:
-            ChangedError: a base has modifiers for this class
+            ChangedError: a base has modifiers for this class, other than another function for a function
             UnknownError: a base is not known
         """
         if name in owner.classes:
             return owner.classes[name]
         for base, modifier in owner.bases:
             found = self.element(self.base(owner, base), name)
-            if found is not None and name in modifier.inner:
-                raise ChangedError
+            given = modifier.inner.get(name)
+            if found is not None and given is not None:
+                if found.kind != "function" or not given.type or given.redeclares:
+                    raise ChangedError
+                bases = [(given.type, Modifier(inner=given.inner))]
+                return Class(name, "function", owner, bases=bases, is_short=True)
             if found is not None:
                 return found
         return None
