@@ -104,7 +104,10 @@ CONNECTIONS_AND_COUNTS = (
         UnsupportedModelError,
         "{all}, as the compiler counts them; it miscounts some parameters that a function of an array gives, "
         "such as this one: write its value without the function",
-        (r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
+        (
+            r"\bparameter\s+\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",
+            r"(?<=[(,])\s*\w+\s*=\s*(?:\w+\.)*FUNCTION\s*\(",
+        ),
         only_there=True,
     ),
     Meaning(

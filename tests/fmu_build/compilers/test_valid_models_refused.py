@@ -141,6 +141,15 @@ _VALID = {
         "model M Real y = G.Q.c; end M;",
         "G.Q.c, a constant of a package that is redeclared in another package, is not supported",
     ),
+    "a modifier with a function of an array": (
+        "connector P Real v; flow Real i; end P; model A P p, n; parameter Real l = 1; "
+        "equation p.v - n.v = l*p.i; p.i + n.i = 0; end A; "
+        "model G P p; equation p.v = 0; end G; model S P p; equation p.i = -time; end S; "
+        "function f input Real x[:]; output Real y; algorithm y := sum(x); end f; "
+        "model M parameter Real r = 2; A a(l = f({r, 1})); G g; S s; "
+        "equation connect(g.p, a.n); connect(s.p, a.p); end M;",
+        "it miscounts some parameters that a function of an array gives",
+    ),
     "an element of a class that a package inherits": (
         f"{_HEIR} model M Q.S s; Real z = s.y; end M;",
         "s.y: the package that names the class of s inherits this class",
