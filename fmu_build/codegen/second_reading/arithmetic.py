@@ -171,6 +171,8 @@ class _Evaluation:
             return not is_iterator and self._names.is_random(self._chosen(tree))
         if isinstance(tree, Comprehension):
             return self._is_random_for(tree.body, tree.iterators)
+        if isinstance(tree, Call) and tree.name == "size":
+            return False
         return any(map(self._is_random, parts_of(tree)))
 
     def _is_random_for(self, body: Expression, iterators: Sequence[tuple[str, Expression]]) -> bool:

@@ -63,7 +63,8 @@ def reject_other_values(model: LoweredModel) -> list[str]:
 
 def _is_own(text: Text) -> bool:
     """Return whether a text is the user's, and no text that the generator has written."""
-    return bool(text.tokens) and not any(one.startswith("FmuBuild") for one in text.tokens)
+    words = (text.scope.around.qualified, *text.tokens)
+    return bool(text.tokens) and not any(one.startswith("FmuBuild") for one in words)
 
 
 def _described(text: Text) -> str:

@@ -18,11 +18,21 @@ from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.points import Points
 from fmu_build.codegen.second_reading.residuals import kept_names
-from fmu_build.codegen.second_reading.sections import Call, Statement, When, has_branches, statements
+from fmu_build.codegen.second_reading.sections import (
+    Branches,
+    Call,
+    Loop,
+    Statement,
+    When,
+    has_branches,
+    has_clauses,
+    statements,
+)
 from fmu_build.codegen.second_reading.syntax import Section
 
 Difference = tuple[str, Span]
 Trees: TypeAlias = Sequence[Mapping[str, Any]]
+_Outer: TypeAlias = When | Call | Branches | Loop
 _OF_COMPONENT = "algorithm from "
 
 
@@ -55,11 +65,37 @@ class _Clauses:
             inner = statements(section)
         except SyntaxError:
             return  # The text is among the unknown ones already.
-        for one in inner:
-            if isinstance(one, When):
-                yield from self._when(section, one)
-            elif isinstance(one, Call):
-                yield from self._call(section, one)
+        for outer in inner:
+            if not isinstance(outer, _Outer):
+                continue
+            # rumoca gives clauses in a branch the place of the if-equation.
+            for one in self._that_hold(section, outer):
+                if isinstance(one, When):
+                    yield from self._when(section, one, outer)
+                else:
+                    yield from self._call(section, one, outer)
+
+    def _that_hold(self, section: Section, one: Statement) -> Iterator[When | Call]:
+        """Yield the clauses that an equation is or contains, of branches those that parameters choose."""
+        if isinstance(one, When | Call):
+            yield one
+        elif isinstance(one, Branches | Loop) and has_clauses(one):
+            try:
+                for inner in self._chosen(one):
+                    yield from self._that_hold(section, inner)
+            except UnknownError:
+                self._unknown.append(Text(self._scope, section.between(one.start, one.end)))
+
+    def _chosen(self, one: Branches | Loop) -> Sequence[Statement]:
+        """Return the branch that holds; raises `UnknownError` for a loop, or if no parameter decides."""
+        if isinstance(one, Loop):
+            raise UnknownError
+        bodies = (
+            body
+            for condition, body in one.branches
+            if not condition or self._instances.number(condition, self._scope)
+        )
+        return next(bodies, ())
 
     def algorithm(self, section: Section) -> Iterator[Difference]:
         """Yield what is wrong with an algorithm."""
@@ -75,8 +111,8 @@ class _Clauses:
             yield f"an algorithm{self._where} is lost", self._span(start, end)
         yield from self._compared("algorithm", Text(self._scope, section.tokens), inner, [trees], start)
 
-    def _when(self, section: Section, one: When) -> Iterator[Difference]:
-        chains = self._between(self._model.flat["when_chains"], one.start, one.end)
+    def _when(self, section: Section, one: When, outer: _Outer) -> Iterator[Difference]:
+        chains = self._between(self._model.flat["when_chains"], outer.start, outer.end)
         chains = [chain for chain in chains if self._sets_own(chain)]
         if not chains:
             yield f"a when-clause{self._where} is lost", self._span(one.start, one.end)
@@ -84,10 +120,12 @@ class _Clauses:
         text = Text(self._scope, section.between(one.start, one.end))
         yield from self._compared("when-clause", text, [one], [[chain] for chain in chains], one.start)
 
-    def _call(self, section: Section, one: Call) -> Iterator[Difference]:
+    def _call(self, section: Section, one: Call, outer: _Outer) -> Iterator[Difference]:
         kind = "initial_assert_equations" if section.is_initial else "assert_equations"
         found = [
-            each for each in self._between(self._model.flat[kind], one.start, one.end) if self._is_own(each)
+            each
+            for each in self._between(self._model.flat[kind], outer.start, outer.end)
+            if self._is_own(each)
         ]
         text = Text(self._scope, section.between(one.start, one.end))
         yield from self._compared("assertion", text, [one], [[each] for each in found], one.start)

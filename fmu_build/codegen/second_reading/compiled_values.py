@@ -125,7 +125,13 @@ class CompiledValues:
         return self._point.is_smooth and any(map(self._is_random, trees))
 
     def _is_random(self, tree: Mapping[str, Any]) -> bool:
-        names = (one["name"]["name"] for one in expressions(tree, "VarRef"))
+        of_sizes = {
+            id(one)
+            for call in expressions(tree, "BuiltinCall")
+            if call["function"] == "Size"
+            for one in expressions(call["args"], "VarRef")
+        }
+        names = (one["name"]["name"] for one in expressions(tree, "VarRef") if id(one) not in of_sizes)
         leaves = self._point.instances.leaves
         return any(one == "time" or (one in leaves and self._point.is_random(one)) for one in names)
 

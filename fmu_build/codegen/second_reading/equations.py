@@ -21,15 +21,7 @@ from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.packages import NAME, is_iterator, is_one_of
 from fmu_build.codegen.second_reading.residuals import Pass, Residuals, passes
 from fmu_build.codegen.second_reading.scopes import Library
-from fmu_build.codegen.second_reading.sections import (
-    Branches,
-    Call,
-    Equation,
-    Loop,
-    Statement,
-    When,
-    statements,
-)
+from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, statements
 from fmu_build.codegen.second_reading.syntax import TOKEN, Section
 
 Difference = tuple[str, Span]
@@ -157,8 +149,6 @@ class _Comparison:
         for one in inner:
             if isinstance(one, Equation | Branches | Loop):
                 yield from self._statement(section, one, unknown)
-            if isinstance(one, Branches | Loop) and _has_clauses(one):
-                unknown.append(Text(self._scope, section.between(one.start, one.end)))
 
     def _statement(
         self, section: Section, one: Equation | Branches | Loop, unknown: list[Text]
@@ -199,12 +189,3 @@ class _Comparison:
 
     def _span(self, start: int, end: int) -> Span:
         return self._model.span(self._scope.around.file, start, end)
-
-
-def _has_clauses(one: Statement) -> bool:
-    """Return whether a statement is a when-clause or call, or contains one."""
-    if isinstance(one, Branches):
-        return any(_has_clauses(inner) for _, body in one.branches for inner in body)
-    if isinstance(one, Loop):
-        return any(map(_has_clauses, one.body))
-    return isinstance(one, When | Call)

@@ -223,6 +223,7 @@ _SMOOTH: Final[Mapping[str, Callable[..., Any]]] = {
     "ceil": lambda one: 1.3 * one,
     "floor": lambda one: 1.2 * one,
     "integer": lambda one: 1.2 * one,
+    "Integer": lambda one: 1.2 * one,
     "sign": lambda one: 0.7 * one,
     "div": lambda one, other: one + 0.6 * other,
     "max": lambda *operands: _mixed(1.4, *operands),
@@ -244,6 +245,7 @@ _OF_NUMBERS: Final[Mapping[str, Callable[..., Any]]] = {
     "exp": np.exp,
     "floor": np.floor,
     "integer": np.floor,
+    "Integer": np.floor,  # of an enumeration
     "log": np.log,
     "log10": np.log10,
     "mod": lambda a, b: a - np.floor(a / b) * b,

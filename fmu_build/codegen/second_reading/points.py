@@ -208,7 +208,8 @@ class _SourceNames:
         self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
     ) -> Value | None:
         instances = self.point.instances
-        if not instances.library.is_class(name, self.scope.around):
+        is_of_enumeration = name == "Integer"
+        if is_of_enumeration or not instances.library.is_class(name, self.scope.around):
             return self.point.of_operator(name, arguments)
         constructor = self._constructor(name)
         if constructor is not None:

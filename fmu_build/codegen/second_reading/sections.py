@@ -195,6 +195,15 @@ class _Reader:
         return self._section.tokens[self._place - 1]
 
 
+def has_clauses(one: Statement) -> bool:
+    """Return whether a statement is a when-clause or call, or contains one."""
+    if isinstance(one, Branches):
+        return any(has_clauses(inner) for _, body in one.branches for inner in body)
+    if isinstance(one, Loop):
+        return any(map(has_clauses, one.body))
+    return isinstance(one, When | Call)
+
+
 def has_branches(inner: Sequence[Statement]) -> bool:
     """Return whether there is an if-equation or if-statement among statements, or in them."""
     for one in inner:

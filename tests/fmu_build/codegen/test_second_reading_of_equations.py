@@ -109,7 +109,8 @@ package Q
   end Inside;
   model Counter
     parameter Real limit = 1;
-    Integer n(start = 0, fixed = true);
+    final parameter Boolean isTwice = true;
+    Integer n(start = 0, fixed = true), m(start = 0, fixed = true);
     Real half;
   equation
     when time > limit then
@@ -118,6 +119,12 @@ package Q
       n = 0;
     end when;
     assert(limit < 10, "limit");
+    if isTwice then
+      when time > 3*limit then
+        m = pre(m) + 1;
+      end when;
+      assert(limit > 0, "limit");
+    end if;
   algorithm
     half := if n > 1 then limit/2 else 0;
   end Counter;
@@ -280,8 +287,8 @@ def test_connected_potentials(reading: _Reading) -> None:
 
 
 def test_lost_clauses(reading: _Reading) -> None:
-    assert len(reading.flat["when_chains"]) == 3
-    for place in range(3):
+    assert len(reading.flat["when_chains"]) == 6
+    for place in range(6):
         assert reading.finds(lambda flat, place=place: flat["when_chains"].pop(place))
 
 
@@ -290,7 +297,7 @@ def test_other_variables_in_clauses(reading: _Reading, kind: str) -> None:
     """Each name in a when-clause, an assertion or an algorithm is found if it means another component."""
     found = [*expressions(reading.flat[kind], "VarRef")]
     places = [place for place, one in enumerate(found) if "counter" in one["name"]["name"]]
-    assert len(places) == {"when_chains": 6, "assert_equations": 2, "algorithms": 4}[kind]
+    assert len(places) == {"when_chains": 10, "assert_equations": 4, "algorithms": 4}[kind]
     for place in places:
 
         def change(flat: dict[str, Any], place: int = place) -> None:
