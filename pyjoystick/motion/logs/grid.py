@@ -83,6 +83,15 @@ class Candidate:
         headings = _headings(texts, units)
         columns = [list(column) for column in zip(*(cells for _, cells in self.rows), strict=True)]
         for i in self.numeric:
+            others = _of_another_kind(columns[i])
+            if others:
+                raise RecordError(
+                    str(path),
+                    "has other cells than the rest: times of day, dates, durations and numbers do not mix",
+                    "give all cells of the column the same format",
+                    column=headings[i].text,
+                    rows=[self.rows[row][0] for row in others],
+                )
             columns[i], is_clock = _plain_numbers(columns[i], self.decimal)
             if is_clock:
                 headings[i] = Heading(headings[i].text, headings[i].name, "s")
@@ -233,6 +242,23 @@ def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
         elif counts[heading.text] > 1:
             found[i] = Heading(f"{heading.text} #{i + 1}", heading.name, heading.unit)
     return found
+
+
+def _of_another_kind(cells: Sequence[str]) -> list[int]:
+    """Indices of the cells of another kind than most, if a column has times of day, dates or durations."""
+    kinds = {i: _kind_of_time(cell) for i, cell in enumerate(cells) if cell.casefold() not in _NOTHING}
+    if not any(kinds.values()):
+        return []
+    usual, _ = Counter(kinds.values()).most_common(1)[0]
+    return [i for i, kind in kinds.items() if kind != usual]
+
+
+def _kind_of_time(cell: str) -> str:
+    """Kind of a time of day, date or duration; empty for other cells."""
+    match = _CLOCK.fullmatch(cell)
+    if match is None:
+        return ""
+    return "duration" if match["duration"] else "date" if match["date"] else "clock"
 
 
 def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]:

@@ -192,8 +192,8 @@ class Record:
             raise RecordError(
                 self.source,
                 "time runs backward",
-                "the rows are out of order, or the file holds more than one record: export them in order, "
-                "one record a file",
+                "the rows are out of order, the file holds more than one record, or a clock without a date "
+                "has passed midnight: export them in order, one record a file, with dates",
                 column="time",
                 rows=self.rows[backward + 1],
                 value=self.time[backward[0] + 1],

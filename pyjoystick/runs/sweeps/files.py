@@ -73,7 +73,7 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     except FileNotFoundError as error:
         raise SweepFileError(path, "the file does not exist") from error
     except Exception as error:  # pandas and pyarrow raise many types
-        raise SweepFileError(path, f"is not a result of a sweep: {error}") from error
+        raise SweepFileError(path, "is not a result of a sweep, or damaged") from error
     if not isinstance(table.attrs.get(ATTRIBUTE), dict):
         raise SweepFileError(path, "is not a result of a sweep: it has no settings")
     return table

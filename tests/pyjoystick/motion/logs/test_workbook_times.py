@@ -116,3 +116,24 @@ def test_a_duration_in_ods_that_is_none(value: str, tmp_path: Path) -> None:
     path = _ods(tmp_path / "log.ods", [value] * COUNT, ["00:00:01"] * COUNT)
     with pytest.raises(RecordError, match=f"the duration of a cell, '{value}', is not in ISO 8601"):
         read_log(path)
+
+
+@pytest.mark.parametrize(
+    ("formats", "rows"),
+    [
+        (["General", *["[h]:mm:ss.000"] * (COUNT - 1)], "row 2"),
+        ([*["h:mm:ss.000"] * (COUNT - 2), *["[h]:mm:ss.000"] * 2], f"rows {COUNT}-{COUNT + 1}"),
+        ([*["General"] * 3, *["yyyy-mm-dd hh:mm:ss.000"] * (COUNT - 3)], "rows 2-4"),
+    ],
+)
+def test_times_of_different_kinds(formats: list[str], rows: str, tmp_path: Path) -> None:
+    """A number of days among times would count as seconds."""
+    openpyxl = pytest.importorskip("openpyxl")
+    path = _xlsx(tmp_path / "log.xlsx", list(1.2 + EXACT / DAY), "General")
+    book = openpyxl.load_workbook(path)
+    for number, one in enumerate(formats, start=2):
+        book.active.cell(number, 1).number_format = one
+    book.save(path)
+    with pytest.raises(RecordError, match="times of day, dates, durations and numbers do not mix") as caught:
+        read_log(path)
+    assert rows in str(caught.value)
