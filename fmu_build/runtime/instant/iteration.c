@@ -151,12 +151,16 @@ static void stop_the_same(Iteration *iteration)
 
 void iteration_stop_at_zero(Iteration *iteration, Values *values)
 {
-    for (size_t i = 0; model.opposites != NULL && i < model.n_relations; ++i) {
+    if (model.opposites == NULL || !refresh(iteration, values))
+        return;
+    for (size_t i = 0; i < model.n_relations; ++i) {
+        const Relation *relation = &model.relations[i];
         const size_t opposite = model.opposites[i];
-        iteration->stopped[i] = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
+        const bool was_opposite = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
+        iteration->stopped[i] = was_opposite && relation_holds(relation, iteration->root[relation->root]);
         iteration->any_stopped |= iteration->stopped[i];
     }
-    if (iteration->any_stopped && refresh(iteration, values))
+    if (iteration->any_stopped)
         stop_the_same(iteration);
 }
 

@@ -29,9 +29,10 @@ bool iteration_copy_pre(Values *values);
  * constant. Returns NULL on success, else a description of the failure. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
-/* From now on, a relation cannot become true if its opposite is true now: in between, their root is zero and both are
- * false. The same holds for relations with the same root. iteration_leave_zero ends this, and returns whether a
- * relation now becomes true. */
+/* To be called before anything has changed. A relation that is about to become true although its opposite was true
+ * cannot do so at once: in between, their root is zero and both are false. The same holds for relations with the same
+ * root. Roots that jump later are never zero. iteration_leave_zero ends this, and returns whether a relation now
+ * becomes true. */
 void iteration_stop_at_zero(Iteration *iteration, Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 
