@@ -70,6 +70,14 @@ CONNECTIONS_AND_COUNTS = (
     Meaning(
         rf"(?P<all>{_UNBALANCED})",
         UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts modifiers of names with points: write "
+        "a(x(start = 1)) instead of a(x.start = 1)",
+        (r"(?<=[(,])\s*\w+(?:\s*\.\s*\w+)+\s*=(?!=)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
         "{all}, as the compiler counts them; it miscounts equations with a constructor on their left: write "
         "it on the right",
         (r"(?:;|\bequation\b)\s*(?:\w+\s*\.\s*)*RECORD\s*\((?=[^;()]*(?:\([^()]*\)[^;()]*)*\)\s*=(?!=))",),

@@ -9,6 +9,14 @@ _VARIABLE = r"\s*\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*\s*"
 
 DECLARATIONS = (
     Meaning(
+        r"unknown modifier `(?P<modifier>\w+)` for component `(?P<name>\w+)`",
+        UnsupportedModelError,
+        "the redeclared {name} gets the modifier {modifier} of the declaration, although this has a "
+        "constraining clause; leave it out, and give a value where {name} is used",
+        (r"\breplaceable\b[^;]*\bNAME\s*\((?=[^;]*\bconstrainedby\b)",),
+        only_there=True,
+    ),
+    Meaning(
         r"`derivative expression`",
         UnsupportedModelError,
         "der() is supported for variables, not for expressions or members of the elements of an array; "

@@ -7,6 +7,14 @@ from fmu_build.support.errors import ModelicaError, UnsupportedModelError
 
 FUNCTIONS = (
     Meaning(
+        r"type mismatch: expected `[^`]+`, found `(?:[^`]*\.)?(?P<name>\w+)`",
+        UnsupportedModelError,
+        "the compiler counts final and constant members among the arguments of a record; name the arguments",
+        (r"(?<![\w.])(?:\w+\s*\.\s*)*RECORD\s*\((?!\s*\w+\s*=)[^;]*(?<![\w.])NAME\s*\(",),
+        only_there=True,
+        needs=r"\brecord\b(?:(?!\bend\b)[\s\S])*?\b(?:final|constant)\b",
+    ),
+    Meaning(
         r"type mismatch: expected `(?P<base>[^`]+)`, found `(?:[^`]*\.)?(?P<name>\w+)`",
         UnsupportedModelError,
         "the function {name} as an argument is supported only if it extends {base}, which is partial",

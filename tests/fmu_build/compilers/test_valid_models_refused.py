@@ -150,6 +150,21 @@ _VALID = {
         "equation connect(g.p, a.n); connect(s.p, a.p); end M;",
         "it miscounts some parameters that a function of an array gives",
     ),
+    "a modifier beside a constraining clause": (
+        "partial model O Real v; end O; model R extends O; parameter Real r = 1; equation v = r; end R; "
+        "model G extends O; parameter Real g = 1; equation v = 1/g; end G; "
+        "model A replaceable R r(r = 2) constrainedby O; end A; model M A a(redeclare G r(g = 3)); end M;",
+        "the redeclared r gets the modifier r of the declaration",
+    ),
+    "arguments of a record with a constant": (
+        "record I Real a; end I; record O constant Real k = 1; I i; end O; model M O o = O(I(time)); end M;",
+        "the compiler counts final and constant members among the arguments of a record",
+    ),
+    "a modifier of a name with points": (
+        "model A Real x(fixed = true); equation der(x) = -x; end A; model C A a; end C; "
+        "model M extends C(a(x.start = 8)); end M;",
+        "it miscounts modifiers of names with points",
+    ),
     "an element of a class that a package inherits": (
         f"{_HEIR} model M Q.S s; Real z = s.y; end M;",
         "s.y: the package that names the class of s inherits this class",
@@ -196,6 +211,10 @@ _WRONG = {
     "a loop over a variable": (
         f"{_C} model M Integer n = integer(time) + 1; {_LOOP.format('n')}",
         "the range 1:n of a loop over connections must consist of numbers, parameters and constants",
+    ),
+    "arguments of a record in another order": (
+        "record I Real a; end I; record O Real k = 1; I i; end O; model M O o = O(I(time), 1); end M;",
+        "type mismatch: expected `Real`, found `I`",
     ),
     "too few equations": (
         "model C Real y[2]; end C; model M C a[2]; Real x; equation a[1].y = {1, 2}; end M;",
