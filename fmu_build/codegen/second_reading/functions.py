@@ -113,9 +113,7 @@ def plain_function(library: Library, found: Class | None, package: Class | None)
     if declared.around is None or id(declared.around) not in library.changed:
         return Function(library, declared, None, given)
     heir, given_to_heir = _declared(library, package)
-    if given_to_heir:
-        raise UnknownError
-    return Function(library, declared, heir, given)
+    return Function(library, declared, package if given_to_heir else heir, given)
 
 
 def _declared(library: Library, found: Class | None) -> tuple[Class, Defaults]:

@@ -257,6 +257,45 @@ def test_a_note_on_what_is_not_computed(tmp_path: Path) -> None:
     assert "P.applied(function P.double(), time) in M; the function P.applied." in log
 
 
+_PACKAGES = """
+package Q
+  package Base
+    constant Real k = 1;
+    function f input Real x = k; output Real y = x + k; algorithm end f;
+  end Base;
+  package Third = Base(k = 3);
+  package Fifth extends Base(k = 5); end Fifth;
+  model A replaceable package P = Base; Real y = P.f()*time; Real z = P.f(7)*time; end A;
+  model M A a(redeclare package P = Third); A b(redeclare package P = Fifth); A c; end M;
+end Q;
+"""
+
+
+def test_functions_of_redeclared_packages(tmp_path: Path) -> None:
+    """Each has the constants of its package; those of another one, or its function, are found."""
+    file = tmp_path / "Q.mo"
+    file.write_text(_PACKAGES)
+    model = lower(rumoca.Session().load(str(file), model="Q.M"))
+    assert reject_other_values(model) == []
+    literals = [*expressions(_trees(model.flat), "Literal")]
+    for place, literal in enumerate(literals):
+        for other in {1, 3, 5} - {literal["value"]["Integer"]}:
+
+            def change(trees: list[Any], place: int = place, other: int = other) -> None:
+                [*expressions(trees, "Literal")][place]["value"] = {"Integer": other}
+
+            assert _is_found(model, change), (place, other)
+    calls = [one["name"]["name"] for one in expressions(_trees(model.flat), "FunctionCall")]
+    assert len({*calls}) == 3
+    for place, call in enumerate(calls):
+        for name in {*calls} - {call}:
+
+            def rename(trees: list[Any], place: int = place, name: str = name) -> None:
+                [*expressions(trees, "FunctionCall")][place]["name"]["name"] = name
+
+            assert _is_found(model, rename), (call, name)
+
+
 def test_inputs_before_an_extends_clause(tmp_path: Path) -> None:
     """They come first (section 5.6.1); rumoca begins with the inherited ones."""
     message = _refused(
