@@ -225,7 +225,17 @@ class Library:
         scope = owner.around if owner.is_short else owner
         if scope is None:
             raise UnknownError
+        if name == owner.name and not owner.is_short:
+            return self._extended(owner)
         return self.within(self._first(first, scope, inherited=owner.is_short), rest)
+
+    def _extended(self, owner: Class) -> Class:
+        """Return the inherited class that ``redeclare function extends f`` extends."""
+        for base in self.bases(owner.around) if owner.around is not None else ():
+            found = self.element(base, owner.name)
+            if found is not None:
+                return found
+        raise UnknownError
 
     def _imported(self, scope: Class, name: str) -> Class | None:
         for known, qualified in scope.imports:

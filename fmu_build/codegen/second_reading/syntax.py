@@ -223,9 +223,11 @@ class _Parser:
         while self.here in _KINDS:  # operator record
             kind = self.take()
         extends = self.take_if("extends")
-        found = Class(self.take(), kind, around, prefixes, file=self._file, is_certain=not extends)
-        if self.here == "(":
-            self._balanced()
+        is_certain = not extends or kind == "function"
+        found = Class(self.take(), kind, around, prefixes, file=self._file, is_certain=is_certain)
+        inner = self._arguments() if self.here == "(" else {}
+        if extends:
+            found.bases.append((found.name, Modifier(inner=inner)))
         if self.take_if("="):
             self._short(found)
         else:

@@ -34,6 +34,14 @@ package Q
   function slope input Real x; input Real dx; output Real dy; algorithm dy := 2*x*dx; end slope;
   function swapped input Inner x; output Inner y; algorithm y := Inner(x.b, g*x.a); end swapped;
   function norm input Inner x; input Real w = 0.5; output Real y; algorithm y := w*(x.a^2 + x.b^2); end norm;
+  package Curve
+    replaceable partial function g input Real x; output Real y; end g;
+    function h input Real x; output Real y; algorithm y := g(x) + 31; end h;
+  end Curve;
+  package Line
+    extends Curve;
+    redeclare function extends g algorithm y := 32*x; end g;
+  end Line;
   function twice
     input Real x[:];
     input Integer n = 2;
@@ -81,6 +89,7 @@ package Q
     Real total = sum(several[i].a for i in 1:2);
     Real taken = cell([28, 29; 30, time], 1);
     Real squared = square(time);
+    Real line = Line.h(time);
     Real speed = der(squared);
     Real p, q[2], r, z, length, first, second[2], third;
   equation
