@@ -34,14 +34,6 @@ package Q
   function slope input Real x; input Real dx; output Real dy; algorithm dy := 2*x*dx; end slope;
   function swapped input Inner x; output Inner y; algorithm y := Inner(x.b, g*x.a); end swapped;
   function norm input Inner x; input Real w = 0.5; output Real y; algorithm y := w*(x.a^2 + x.b^2); end norm;
-  package Curve
-    replaceable partial function g input Real x; output Real y; end g;
-    function h input Real x; output Real y; algorithm y := g(x) + 31; end h;
-  end Curve;
-  package Line
-    extends Curve;
-    redeclare function extends g algorithm y := 32*x; end g;
-  end Line;
   function twice
     input Real x[:];
     input Integer n = 2;
@@ -89,7 +81,6 @@ package Q
     Real total = sum(several[i].a for i in 1:2);
     Real taken = cell([28, 29; 30, time], 1);
     Real squared = square(time);
-    Real line = Line.h(time);
     Real speed = der(squared);
     Real p, q[2], r, z, length, first, second[2], third;
   equation
@@ -314,3 +305,29 @@ def test_inputs_before_an_extends_clause(tmp_path: Path) -> None:
         tmp_path,
     )
     assert "the equation h(5 * time, 6) differs" in message
+
+
+_EXTENDED = """
+package P
+  replaceable partial function g input Real x; output Real y; end g;
+  function h input Real x; output Real y; algorithm y := g(x) + 31; end h;
+end P;
+package Q
+  extends P;
+  redeclare function extends g algorithm y := 32*x; end g;
+end Q;
+package R
+  extends P(redeclare function g = f(k = 2));
+  function f input Real x; input Real k = 1; output Real y; algorithm y := k*x; end f;
+end R;
+model M Real y = {}.h(time); end M;
+"""
+
+
+def test_functions_that_heirs_redeclare(tmp_path: Path) -> None:
+    """Those that extend the inherited one are computed; of others, rumoca takes the wrong defaults."""
+    file = tmp_path / "M.mo"
+    file.write_text(_EXTENDED.format("Q"))
+    _, log = generate_model(BuildRequest("M", tmp_path, file))
+    assert "Not computed" not in log
+    assert "the function h differs" in _refused(_EXTENDED.format("R"), tmp_path)
