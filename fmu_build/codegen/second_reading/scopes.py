@@ -40,6 +40,7 @@ class Library:
                 around = around.classes.setdefault(part, Class(part, "package", around, is_certain=False))
             one.around = around
             around.classes[one.name] = one
+        self._short: dict[tuple[int, str], Class] = {}
         self._components: dict[int, Mapping[str, tuple[Class, Component]]] = {}
 
     def class_of(self, qualified: str) -> Class:
@@ -152,11 +153,21 @@ class Library:
             if found is not None and given is not None:
                 if found.kind != "function" or not given.type or given.redeclares:
                     raise ChangedError
-                bases = [(given.type, Modifier(inner=given.inner))]
-                return Class(name, "function", owner, bases=bases, is_short=True)
+                return self._redeclared(owner, name, given)
             if found is not None:
                 return found
         return None
+
+    def _redeclared(self, owner: Class, name: str, given: Modifier) -> Class:
+        """Return the short class that ``extends P(redeclare function f = g(k = 2))`` means in its class.
+
+        It is always the same one, because classes are known by their identities.
+        """
+        key = (id(owner), name)
+        if key not in self._short:
+            bases = [(given.type, Modifier(inner=given.inner))]
+            self._short[key] = Class(name, "function", owner, bases=bases, is_short=True)
+        return self._short[key]
 
     def bases(self, owner: Class) -> Iterator[Class]:
         """Yield the base classes of a class; raises `UnknownError` where one is not known."""
