@@ -276,8 +276,9 @@ def _holds_at_zero(model: LoweredModel, root: Expression, number: int) -> bool:
     if domain == "Previous" and not ex.varies(_with_steps_frozen(root)):
         return False  # an equality of discrete values, written as a root of -1 or 1
     if domain not in ("NonPositive", "Positive"):
-        span = events["root_conditions"]["program_spans"][number]
-        raise model.unsupported(_no_zero_side(model.text(span)), span)
+        spans = events["root_conditions"]["program_spans"]
+        span = spans[number] if number < len(spans) else None
+        raise model.unsupported(_no_zero_side(model.text(span) if span is not None else ""), span)
     return domain == "NonPositive"
 
 

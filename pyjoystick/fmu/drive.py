@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.inputs import InputSeries
+from pyjoystick.fmu.stepping.program import PLACE_SIZE, POINT
 from pyjoystick.fmu.values import REALS
 from pyjoystick.support import FloatArray
 
@@ -38,12 +40,14 @@ class Drive:
         self._points = points
         self._series = tuple(series)
 
-    def set_at(self, fmi: Any, time: float) -> None:
-        """Set an instance's inputs for a time (s) within a step, or at its end."""
-        last = min(max(int(np.searchsorted(self._points, time)) - 1, 0), len(self._points) - 2)
-        since = time - float(self._points[last])
+    def set_at(self, fmi: Any, time: float, point: int) -> None:
+        """Set an instance's inputs for a time (s) within the step from a communication point, or at its ends.
+
+        An input that jumps at the point has its later value there.
+        """
+        since = time - float(self._points[point])
         for one in self._series:
-            value = float(one.values[last]) + float(one.slopes[last]) * since
+            value = float(one.values[point]) + float(one.slopes[point]) * since
             getattr(fmi, f"set{one.variable.type}")([one.variable.value_reference], [value])
 
 
@@ -52,12 +56,14 @@ class IntermediateUpdate:
 
     Attributes:
         drive: inputs of the current run
+        place: its progress, with the communication point from which the FMU steps
         failure: an exception or Ctrl-C during an answer, since exceptions cannot pass through the FMU
     """
 
     def __init__(self, fmi: Any) -> None:
         self._fmi = fmi
         self.drive: Drive | None = None
+        self.place: NDArray[np.intp] = np.zeros(PLACE_SIZE, np.intp)
         self.failure: BaseException | None = None
 
     def answer(
@@ -69,6 +75,6 @@ class IntermediateUpdate:
             if early:
                 early[0] = False
             if is_asked and self.drive is not None:
-                self.drive.set_at(self._fmi, time)
+                self.drive.set_at(self._fmi, time, int(self.place[POINT]))
         except BaseException as error:
             self.failure = self.failure or error

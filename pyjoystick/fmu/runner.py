@@ -205,11 +205,12 @@ class Runner:
         self._has_instance = True
         self._instance.log.attach()
         self._instance.log.clear()
-        if self._instance.intermediate_update is not None:
-            self._instance.intermediate_update.drive = self._job.preparation.drive
-            self._instance.intermediate_update.failure = None
         size = self._job.instants.size * self._job.preparation.program.outputs_stride
         self._workspace = self._instance.workspace(size)
+        if self._instance.intermediate_update is not None:
+            self._instance.intermediate_update.drive = self._job.preparation.drive
+            self._instance.intermediate_update.place = self._workspace.place
+            self._instance.intermediate_update.failure = None
 
     def _abandon(self, *, is_lost: bool) -> None:
         self._instance.is_broken, self._instance.is_lost = True, is_lost

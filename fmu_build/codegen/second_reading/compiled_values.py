@@ -160,13 +160,14 @@ class CompiledValues:
         return self._elements(content["expr"], content["indices"])
 
     def _elements(self, body: Mapping[str, Any], indices: Sequence[Mapping[str, Any]]) -> Value:
+        """Return an array whose first dimension belongs to the first iterator, as rumoca takes it."""
         if not indices:
             return self.of(body)
-        *outer, last = indices
-        numbers = self.of(last["range"])
-        points = ({**self._iterators, last["name"]: float(one)} for one in numbers.flat)
+        first, *inner = indices
+        numbers = self.of(first["range"])
+        points = ({**self._iterators, first["name"]: float(one)} for one in numbers.flat)
         return as_value(
-            [CompiledValues(self._model, self._point, one)._elements(body, outer) for one in points]
+            [CompiledValues(self._model, self._point, one)._elements(body, inner) for one in points]
         )
 
     def _index(self, content: Mapping[str, Any]) -> Value:

@@ -69,6 +69,15 @@ def test_an_equality_of_what_relations_decide_is_named(tmp_path: Path, equations
     PACKAGE.refusal(tmp_path, equations, message)
 
 
+def test_equalities_in_a_vector_of_conditions_are_named(tmp_path: Path) -> None:
+    """The compiler gives no place for some of them."""
+    conditions = "{x > 5, ((pre(n) == 0) <> (0.3 > x)), ((x >= 0.4) <> (0.5 >= x))}"
+    equations = f"der(y) = 0; when {conditions} then n = pre(n) + 1; end when;"
+    PACKAGE.refusal(
+        tmp_path, equations, r"an equality or inequality \(==, <>\) of values that relations decide"
+    )
+
+
 def test_a_variable_that_a_function_sets_in_some_cases_only_is_named(tmp_path: Path) -> None:
     """The values of such a variable at the start of the function are not defined (section 12.4.4)."""
     part = PackageUnderTest("""

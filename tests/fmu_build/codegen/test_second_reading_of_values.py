@@ -300,3 +300,22 @@ def test_members_that_follow_others_of_a_constructor(model: str, tmp_path: Path)
 )
 def test_values_that_are_passed_on(model: str, tmp_path: Path) -> None:
     _generate(_RECORDS.format(model), tmp_path)
+
+
+@pytest.mark.parametrize(
+    "model",
+    [
+        "model M Real v[2, 2] = time*{i for i in 1:2, j in 1:2}; end M;",
+        "function f input Real w[:]; output Real y[size(w, 1), size(w, 1)]; "
+        "algorithm y := {w[i] for i in 1:size(w, 1), j in 1:size(w, 1)}; end f; "
+        "model M Real v[2, 2] = f({1, 3*time}); end M;",
+    ],
+)
+def test_several_iterators(model: str, tmp_path: Path) -> None:
+    """The first one belongs to the last dimension (section 10.4.1.1); rumoca takes the first dimension."""
+    with pytest.raises(UnsupportedModelError, match="differs in the compiler's reading"):
+        _generate(model, tmp_path)
+
+
+def test_several_iterators_of_a_symmetric_matrix(tmp_path: Path) -> None:
+    _generate("model M Real v[2, 2] = time*{1/(i + j - 1) for i in 1:2, j in 1:2}; end M;", tmp_path)
