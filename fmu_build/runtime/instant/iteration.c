@@ -24,10 +24,10 @@ bool iteration_create(Iteration *iteration)
     iteration->largest = iteration->before + n_roots;
     iteration->value = iteration->largest + n_roots;
     iteration->active = (bool *)(iteration->memory + n_doubles);
-    iteration->stopped = iteration->active + model.n_actions;
-    iteration->circling = iteration->stopped + model.n_relations;
+    iteration->at_zero = iteration->active + model.n_actions;
+    iteration->circling = iteration->at_zero + model.n_relations;
     iteration->held = iteration->circling + model.n_relations;
-    iteration->any_stopped = false;
+    iteration->any_at_zero = false;
     return true;
 }
 
@@ -60,17 +60,20 @@ bool iteration_copy_pre(Values *values)
 
 bool iteration_leave_zero(Iteration *iteration)
 {
-    bool held = false;
-    for (size_t i = 0; iteration->any_stopped && i < model.n_relations; ++i)
-        held |= iteration->stopped[i] && relation_holds(&model.relations[i], iteration->root[model.relations[i].root]);
-    iteration->any_stopped = false;
-    return held;
+    bool changes = false;
+    for (size_t i = 0; iteration->any_at_zero && i < model.n_relations; ++i) {
+        const Relation *r = &model.relations[i];
+        changes |= iteration->at_zero[i] && relation_holds(r, iteration->root[r->root]) != r->holds_at_zero;
+    }
+    iteration->any_at_zero = false;
+    return changes;
 }
 
 static double truth(const Iteration *iteration, size_t relation)
 {
     const Relation *r = &model.relations[relation];
-    return !(iteration->any_stopped && iteration->stopped[relation]) && relation_holds(r, iteration->root[r->root]);
+    const bool is_zero = iteration->any_at_zero && iteration->at_zero[relation];
+    return is_zero ? r->holds_at_zero : relation_holds(r, iteration->root[r->root]);
 }
 
 static bool update_relations(const Iteration *iteration, Values *values)
@@ -138,14 +141,13 @@ static bool refresh(Iteration *iteration, Values *values)
     return true;
 }
 
-/* Stops relations whose roots are the same numbers as those of stopped ones, as s > k beside s > 0 where k is 0. */
-static void stop_the_same(Iteration *iteration)
+/* Other relations of the same root are at zero, too, also those that hold there, and s > k beside s > 0 where k is 0. */
+static void find_the_same(Iteration *iteration)
 {
     for (size_t i = 0; i < model.n_relations; ++i)
-        for (size_t j = 0; iteration->stopped[i] && j < model.n_relations; ++j) {
-            const Relation *one = &model.relations[i], *other = &model.relations[j];
-            if (other->holds_at_zero == one->holds_at_zero && iteration->root[other->root] == iteration->root[one->root])
-                iteration->stopped[j] = true;
+        for (size_t j = 0; iteration->at_zero[i] && j < model.n_relations; ++j) {
+            const double one = iteration->root[model.relations[i].root], other = iteration->root[model.relations[j].root];
+            iteration->at_zero[j] |= fabs(one) == fabs(other);
         }
 }
 
@@ -157,11 +159,11 @@ void iteration_stop_at_zero(Iteration *iteration, Values *values)
         const Relation *relation = &model.relations[i];
         const size_t opposite = model.opposites[i];
         const bool was_opposite = opposite < model.n_relations && values->p[model.relations[opposite].memory] != 0.0;
-        iteration->stopped[i] = was_opposite && relation_holds(relation, iteration->root[relation->root]);
-        iteration->any_stopped |= iteration->stopped[i];
+        iteration->at_zero[i] = was_opposite && relation_holds(relation, iteration->root[relation->root]);
+        iteration->any_at_zero |= iteration->at_zero[i];
     }
-    if (iteration->any_stopped)
-        stop_the_same(iteration);
+    if (iteration->any_at_zero)
+        find_the_same(iteration);
 }
 
 /* The states are constant, so a root moves only with a relation or discrete variable that is part of the circle. */

@@ -12,10 +12,10 @@ typedef struct {
     double *largest; /* [n_roots + n_time_relations] the largest absolute values of the roots while nothing settled */
     double *value;   /* [n_discrete] */
     bool *active;    /* [n_actions] */
-    bool *stopped;   /* [n_relations] whether the relation must stay false for now */
+    bool *at_zero;   /* [n_relations] whether the root of the relation counts as zero for now */
     bool *held;      /* [n_relations] the relations at the start of the pass */
     bool *circling;  /* [n_relations] whether the relation or its root changed while nothing settled */
-    bool any_stopped;
+    bool any_at_zero;
     char text[NEWTON_TEXT_SIZE]; /* the message of a failure */
 } Iteration;
 
@@ -29,10 +29,9 @@ bool iteration_copy_pre(Values *values);
  * constant. Returns NULL on success, else a description of the failure. */
 const char *iteration_settle(Iteration *iteration, Values *values);
 
-/* To be called before anything has changed. A relation that is about to become true although its opposite was true
- * cannot do so at once: in between, their root is zero and both are false. The same holds for relations with the same
- * root. Roots that jump later are never zero. iteration_leave_zero ends this, and returns whether a relation now
- * becomes true. */
+/* To be called before anything has changed. Where a relation is about to become true although its opposite was true,
+ * their root passes through zero: for now it counts as zero, for all relations of this root, so that both are false.
+ * Roots that jump later are never zero. iteration_leave_zero ends this, and returns whether a relation now changes. */
 void iteration_stop_at_zero(Iteration *iteration, Values *values);
 bool iteration_leave_zero(Iteration *iteration);
 

@@ -47,6 +47,21 @@ def test_a_jump(jump: str, clauses: str, expected: float, exchange: bool, tmp_pa
 
 
 @pytest.mark.parametrize("exchange", [False, True])
-def test_a_continuous_passage(exchange: bool, tmp_path: Path) -> None:
-    clauses = "when not x < 0.1 and not x > 0.1 then m = pre(m) + 1; end when;"
-    assert _m(_CONTINUOUSLY, clauses, tmp_path, exchange=exchange) == 1.0
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("not x < 0.1 and not x > 0.1", 1.0),
+        ("x >= 0.1 and not x > 0.1", 1.0),
+        ("x <= 0.1 and not x < 0.1", 1.0),
+        ("not x < 0.1 and not x >= 0.1 and not x > 5", 0.0),
+        ("not x > 0.1 and not x <= 0.1 and not x < -5", 0.0),
+    ],
+)
+def test_a_continuous_passage(condition: str, expected: float, exchange: bool, tmp_path: Path) -> None:
+    """All relations of the root see the same zero, also those that hold there."""
+    clauses = (
+        f"when {condition} then m = pre(m) + 1; end when; "
+        "when x < 0.1 then k = 1; elsewhen x > 0.1 then k = 2; end when;"
+    )
+    declarations = f"Integer k(start = 0, fixed = true); {_CONTINUOUSLY}"
+    assert _m(declarations, clauses, tmp_path, exchange=exchange) == expected
