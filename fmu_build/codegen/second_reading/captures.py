@@ -21,7 +21,7 @@ from fmu_build.codegen.second_reading.givens import Scope, Text, joined, nowhere
 from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
-from fmu_build.codegen.second_reading.syntax import Class, Tokens
+from fmu_build.codegen.second_reading.syntax import Class, Component, Tokens
 
 _DEEPEST: Final = 20
 _AFTER_VALUES: Final = frozenset(("and", "annotation", "else", "elseif", "for", "if", "loop", "or", "then"))
@@ -48,13 +48,25 @@ def captured_in_packages(library: Library) -> Iterator[tuple[str, Class]]:
 
 def unknown_declarations(instances: Variables) -> Iterator[Text]:
     """Yield the sizes and conditions of components of which nothing is known."""
+    for scope, component in _unknown_components(instances):
+        for tokens in (*component.dimensions, component.condition):
+            yield Text(scope, tokens)
+
+
+def unknown_components(instances: Variables) -> Iterator[Text]:
+    """Yield the names of these components; those of outer ones mean others."""
+    for scope, component in _unknown_components(instances):
+        if "outer" not in component.prefixes:
+            yield Text(scope, (component.name,))
+
+
+def _unknown_components(instances: Variables) -> Iterator[tuple[Scope, Component]]:
     for path, part in instances.parts.items():
         for owner in part.classes:
             for component in owner.components:
                 name = joined(path, component.name)
                 if name not in instances.sizes and name not in instances.absent:
-                    for tokens in (*component.dimensions, component.condition):
-                        yield Text(Scope(path, owner), tokens)
+                    yield Scope(path, owner), component
 
 
 def uses_of_replaceable_packages(

@@ -12,6 +12,7 @@ from fmu_build.codegen.second_reading.captures import (
     captured_in_packages,
     captured_names,
     constants_of_heirs,
+    unknown_components,
     unknown_declarations,
     uses_of_replaceable_packages,
 )
@@ -58,7 +59,8 @@ def reject_other_values(model: LoweredModel) -> list[str]:
     in_functions: list[Text] = []
     for difference, span in _differences(model, instances, connections, unknown, in_functions):
         raise model.unsupported(difference, span)
-    return [*dict.fromkeys(_described(one) for one in (*unknown, *in_functions) if _is_own(one))]
+    texts = (*unknown, *in_functions, *unknown_components(instances))
+    return [*dict.fromkeys(_described(one) for one in texts if _is_own(one))]
 
 
 def _is_own(text: Text) -> bool:

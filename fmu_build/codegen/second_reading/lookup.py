@@ -12,7 +12,7 @@ from contextlib import suppress
 from fmu_build.codegen.second_reading.givens import NOWHERE, Given, Scope, plain
 from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError
 from fmu_build.codegen.second_reading.scopes import Library
-from fmu_build.codegen.second_reading.syntax import Class
+from fmu_build.codegen.second_reading.syntax import Class, Modifier
 
 
 class Lookup:
@@ -26,6 +26,7 @@ class Lookup:
     def __init__(self, library: Library) -> None:
         self.given: dict[tuple[str, int], Mapping[str, Given]] = {}
         self.heirs: dict[str, Class] = {}
+        self._modified: dict[tuple[str, int, str], Class] = {}
         self._library = library
 
     def constant(self, name: str, scope: Scope) -> tuple[Class, str]:
@@ -71,14 +72,28 @@ class Lookup:
         own = self._library.declaration(scope.around, first) if given is not None else None
         other = self.redeclared(first, scope)
         if other is not None:
-            if not other.type or other.type_scope is None or other.inner:
-                raise UnknownError
-            found = self.class_in(other.type.split("."), other.type_scope)
+            found = self._of_redeclaration(first, other, scope)
         elif own is not None:
             found = own
         else:
             found = self._around(first, scope)
         return self._library.within(found, rest)
+
+    def _of_redeclaration(self, name: str, other: Given, scope: Scope) -> Class:
+        """Return the class that a component is given for one of this name, perhaps with modifiers."""
+        if not other.type or other.type_scope is None:
+            raise UnknownError
+        found = self.class_in(other.type.split("."), other.type_scope)
+        if not other.inner:
+            return found
+        key = (scope.path, id(scope.around), name)
+        if key not in self._modified:
+            bases = [(other.type, Modifier(inner=_modifiers(other, other.type_scope)))]
+            short = Class(name, found.kind, other.type_scope.around, bases=bases, is_short=True)
+            if self._library.base(short, other.type) is not found:
+                raise UnknownError
+            self._modified[key] = short  # always the same one, because classes are known by their identities
+        return self._modified[key]
 
     def redeclared(self, name: str, scope: Scope) -> Given | None:
         """Return what the component of a scope is given for a class of this name; None if nothing."""
@@ -126,3 +141,13 @@ class Lookup:
             path = path.rpartition(".")[0]
         if "" in self.heirs:
             yield self.heirs[""]
+
+
+def _modifiers(given: Given, scope: Scope) -> dict[str, Modifier]:
+    """Return what a redeclaration in a scope gives; raises `UnknownError` if others give some of it."""
+    if any(one.scope != scope or one.type or one.redeclares for one in given.inner.values()):
+        raise UnknownError
+    return {
+        name: Modifier(value=one.value, inner=_modifiers(one, scope), final=one.final)
+        for name, one in given.inner.items()
+    }

@@ -216,6 +216,11 @@ class Library:
                 with suppress(UnknownError):
                     for one in self.lineage(self.base(heir, name)) if names else ():
                         found[id(one)] |= names
+            for modifier in _redeclarations(heir):
+                with suppress(UnknownError):
+                    package = self.default(modifier.type, heir)
+                    for one in self.lineage(package) if package.kind == "package" else ():
+                        found[id(one)] |= modifier.inner.keys()
         return found
 
     def lineage(self, owner: Class) -> Iterator[Class]:
@@ -263,3 +268,13 @@ def _certain(found: Class | None) -> Class:
     if found is None or "replaceable" in found.prefixes:
         raise UnknownError
     return found
+
+
+def _redeclarations(owner: Class) -> Iterator[Modifier]:
+    """Yield the redeclarations with modifiers in a class, as ``redeclare package P = Q(k = 2)``."""
+    waiting = [modifier for _, modifier in owner.bases]
+    waiting += [one.modifier for one in owner.components]
+    for modifier in waiting:
+        waiting += modifier.inner.values()
+        if modifier.type and modifier.inner:
+            yield modifier

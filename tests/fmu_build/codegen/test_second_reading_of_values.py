@@ -319,3 +319,26 @@ def test_several_iterators(model: str, tmp_path: Path) -> None:
 
 def test_several_iterators_of_a_symmetric_matrix(tmp_path: Path) -> None:
     _generate("model M Real v[2, 2] = time*{1/(i + j - 1) for i in 1:2, j in 1:2}; end M;", tmp_path)
+
+
+_MEDIA = """
+package Base
+  constant Real k = 7; constant Integer n = 2; constant Real b = 2*k; constant Real a[n] = fill(k, n);
+end Base;
+model T replaceable package Medium = Base; {} end T;
+model M T t(redeclare package Medium = Base({})); end M;
+"""
+
+
+@pytest.mark.parametrize(
+    "equation",
+    ["Real y = time*Medium.b;", "Real y = time*sum(Medium.a);", "Real v[Medium.n] = time*Medium.a;"],
+)
+def test_packages_that_are_redeclared_with_modifiers(equation: str, tmp_path: Path) -> None:
+    """What follows from `k` has its new value; rumoca takes that of Base."""
+    with pytest.raises(UnsupportedModelError, match="differs in the compiler's reading"):
+        _generate(_MEDIA.format(equation, "k = 2"), tmp_path)
+
+
+def test_packages_that_are_redeclared_with_modifiers_that_change_nothing_else(tmp_path: Path) -> None:
+    _generate(_MEDIA.format("Real y = time*Medium.k;", "k = 2"), tmp_path)
