@@ -32,7 +32,7 @@ _FMI_VERSIONS: dict[str, FmiVersion] = {"2": "2.0", "3": "3.0", "2.0": "2.0", "3
 _INTERRUPTED = 130
 _TERMINATED = 143
 ignore_impossible_width()  # which consoles read
-_messages = Console(stderr=True, highlight=False, soft_wrap=True)
+_messages = Console(stderr=True, highlight=False, emoji=False, soft_wrap=True)
 
 
 def _known_compiler(name: str) -> str:

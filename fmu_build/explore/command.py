@@ -26,7 +26,7 @@ Examples:
 
     python -m fmu_build explore Ball.fmu --settings ball.toml -o ball.html
 """
-_messages = Console(stderr=True, highlight=False, soft_wrap=True)
+_messages = Console(stderr=True, highlight=False, emoji=False, soft_wrap=True)
 
 
 def _main(

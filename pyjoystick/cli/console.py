@@ -38,7 +38,9 @@ def output() -> Console:
     from pyjoystick.cli.narrow_tables import NarrowConsole  # not needed for lists of commands
 
     is_piped = invocation.is_piped
-    console = NarrowConsole(highlight=False, stderr=is_piped, quiet=is_piped and invocation.quiet)
+    console = NarrowConsole(
+        highlight=False, emoji=False, stderr=is_piped, quiet=is_piped and invocation.quiet
+    )
     console.soft_wrap = not console.is_terminal
     if not console.is_terminal and "COLUMNS" not in os.environ:
         console.width = _UNBOUNDED
@@ -179,6 +181,6 @@ def note_stops(largest: float, joystick: model.JoystickParameters) -> None:
 
 def _messages(*, quiet: bool = False) -> Console:
     """Console for standard error."""
-    console = Console(stderr=True, highlight=False, quiet=quiet)
+    console = Console(stderr=True, highlight=False, emoji=False, quiet=quiet)
     console.soft_wrap = not console.is_terminal
     return console

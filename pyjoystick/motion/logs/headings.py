@@ -91,6 +91,7 @@ _BRACKETS: Final = re.compile(r"(?P<name>.*?)\s*[(\[{<](?P<unit>[^()\[\]{}<>]*)[
 _AFTER: Final = re.compile(
     r"(?P<name>[^/]+?)\s*/\s*(?P<unit>.+)|(?P<name2>.+?)(?:,\s*|\s+in\s+|[_ ])(?P<unit2>\S+)"
 )
+_MINUS: Final = ("-", "\N{MINUS SIGN}", "\N{EN DASH}")
 _GERMAN: Final = ("zeit", "winkel", "kraft", "moment", "weg", "geschwindigkeit")
 
 
@@ -129,7 +130,9 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
 
 
 def meaning(name: str) -> str | None:
-    """The quantity with this name in one of the languages."""
+    """The quantity with this name in one of the languages; none for its negative, as ``-theta``."""
+    if name.strip()[:1] in _MINUS:
+        return None
     plain = _plain(name)
     for quantity in _NAMES:
         if plain in _names_of(quantity) and not (quantity == "time" and name == "T"):
@@ -169,8 +172,8 @@ def _may_mean(name: str, quantity: str) -> bool:
 
 
 def last_part(name: str) -> str:
-    """Name of a field without its enclosing structures."""
-    return name.rpartition(".")[2] or name
+    """Name of a field without its enclosing structures; words with points are none, as in ``neg. angle``."""
+    return name if " " in name else name.rpartition(".")[2] or name
 
 
 def reading_unit(unit: str) -> str:

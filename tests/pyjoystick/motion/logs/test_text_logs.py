@@ -582,3 +582,14 @@ def test_torques_and_forces_that_no_joystick_takes_are_refused(
     path = written(tmp_path / "log.csv", table)
     with pytest.raises(RecordError, match=f"a joystick takes up to {words}; is this really in"):
         read_log(path)
+
+
+@pytest.mark.parametrize(
+    "heading",
+    ["-theta (rad)", "\N{MINUS SIGN}Winkel (rad)", "- Angle (rad)", "-theta_rad", "neg. angle (rad)"],
+)
+def test_the_negative_of_a_quantity_is_not_taken_for_it(heading: str, tmp_path: Path) -> None:
+    path = tmp_path / "log.csv"
+    path.write_text(text(("time (s)", heading), TIME, ANGLE), "utf-8")
+    with pytest.raises(RecordError, match="has no column 'theta'"):
+        read_log(path)
