@@ -78,6 +78,13 @@ CLASSES = (
         only_there=True,
     ),
     Meaning(
+        r"unresolved type reference: '(?P<whole>(?:\w+\.)*(?P<name>\w+)\.\w+)'",
+        UnsupportedModelError,
+        f"{{whole}} is {_INHERITED}",
+        (r"(?<![\w.])(?:\w+\s*\.\s*)*(?=NAME\b)HEIR\s*\.\s*\w+\s+\w+",),
+        only_there=True,
+    ),
+    Meaning(
         r"must be a connector, but has builtin type '(?P<whole>(?:\w+\.)*(?P<name>\w+)\.\w+)'",
         UnsupportedModelError,
         f"{{whole}} is {_INHERITED}",

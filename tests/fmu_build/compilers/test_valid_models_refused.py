@@ -173,6 +173,11 @@ _VALID = {
         f"{_HEIR} model M extends Q.S; end M;",
         "Q.S is a class that the package Q inherits",
     ),
+    "a class of a short package": (
+        "package P constant Real k = 1; model S Real y = k; end S; end P; package Q = P(k = 2); "
+        "model M Q.S s; end M;",
+        "Q.S is a class that the package Q inherits",
+    ),
     "a connector that a package inherits": (
         f"{_HEIR} model M Q.Pin a, b; equation connect(a, b); end M;",
         "Q.Pin is a class that the package Q inherits",
