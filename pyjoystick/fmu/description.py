@@ -34,7 +34,8 @@ class Variable:
     `start` is as written in the file; `minimum`, `maximum` and `nominal` are in `unit`, with large integers
     exact; `initial` is ``exact``, ``approx`` or ``calculated``. `shape` is that of the array (FMI 3), also
     for its elements; `element` is the element's index, from 0. `is_fmi3` determines the width of an
-    enumeration; `items` are its values, if they are declared.
+    enumeration; `items` are its values, if they are declared. `is_set_in_steps` says whether it may be set in
+    Intermediate Update Mode.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Variable:
     element: int | None = None
     is_fmi3: bool = False
     items: tuple[int, ...] = ()
+    is_set_in_steps: bool = False
 
     @property
     def settable_at_start(self) -> bool:

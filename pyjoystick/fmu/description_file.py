@@ -64,13 +64,17 @@ def read_description(path: Path) -> FmuDescription:
 
 @dataclass(frozen=True, slots=True)
 class _Declared:
-    """What FMPy leaves out: attributes of CoSimulation, and display units whose scale runs backwards.
+    """What FMPy leaves out.
 
-    `inverse` has pairs of the names of unit and display unit.
+    Attributes:
+        co_simulation: attributes of CoSimulation
+        inverse: display units whose scale runs backwards, as pairs of the names of unit and display unit
+        in_steps: variables that may be set in Intermediate Update Mode
     """
 
     co_simulation: dict[str, str] = field(default_factory=dict)
     inverse: set[tuple[str, str]] = field(default_factory=set)
+    in_steps: set[str] = field(default_factory=set)
 
 
 def _declared(path: Path) -> _Declared:
@@ -99,6 +103,8 @@ def _declared(path: Path) -> _Declared:
         elif parents[1:] == ["ModelVariables"]:
             _require_own_name(path, attributes, variables)
             variables.add(attributes["name"])
+            if attributes.get("intermediateUpdate") in _TRUE:
+                found.in_steps.add(attributes["name"])
             require_at_most(path, "declares {} variables or more", len(variables), MOST_VARIABLES)
         parents.append(name)
 
@@ -157,7 +163,9 @@ def _description(path: Path, files: list[str], model: Any, declared: _Declared) 
             if file.startswith("binaries/") and not file.endswith("/")
         ),
         has_sources=any(file.startswith("sources/") and file.endswith(".c") for file in files),
-        variables=MappingProxyType({v.name: _variable(v, units, is_fmi3) for v in model.modelVariables}),
+        variables=MappingProxyType(
+            {v.name: _variable(v, units, is_fmi3, declared.in_steps) for v in model.modelVariables}
+        ),
         experiment=DefaultExperiment(
             *(
                 _number(getattr(experiment, field, None))
@@ -182,7 +190,7 @@ def _provides(declared: Mapping[str, str], capability: str) -> bool:
     return any(declared.get(name) in _TRUE for name in (capability, f"{capability}s"))
 
 
-def _variable(variable: Any, units: _DisplayUnits, is_fmi3: bool) -> Variable:
+def _variable(variable: Any, units: _DisplayUnits, is_fmi3: bool, in_steps: Set[str]) -> Variable:
     """Make a variable; attributes that it omits are taken from its declared type."""
 
     def attribute(name: str) -> Any:
@@ -210,6 +218,7 @@ def _variable(variable: Any, units: _DisplayUnits, is_fmi3: bool) -> Variable:
         shape=tuple(variable.shape or ()),
         is_fmi3=is_fmi3,
         items=items,
+        is_set_in_steps=variable.name in in_steps,
     )
 
 

@@ -16,14 +16,18 @@ from pyjoystick.support import FloatArray
 
 
 def inputs_asked_for(description: FmuDescription) -> list[Variable]:
-    """Inputs that may change within a step: continuous numbers, if the FMU requests inputs; else none."""
+    """Inputs that may change within a step: continuous numbers that the FMU declares so; else none."""
     if not description.asks_for_inputs:
         return []
     variables = [description.variables[name] for name in description.names("input")]
     return [
         one
         for one in variables
-        if one.variability == "continuous" and one.type in REALS and not one.is_array and one.element is None
+        if one.is_set_in_steps
+        and one.variability == "continuous"
+        and one.type in REALS
+        and not one.is_array
+        and one.element is None
     ]
 
 

@@ -95,8 +95,11 @@ def function_of(library: Library, lookup: Lookup, name: str, scope: Scope) -> Fu
     if not other.type or other.type_scope is None:
         raise UnknownError
     found = function_of(library, lookup, other.type, other.type_scope)
+    declared = library.declaration(scope.around, name)
+    constraint = declared.constraint if declared is not None else None
+    constrained = _values(constraint, scope.around) if constraint is not None else {}
     given = {key: (_around(one), one.value) for key, one in other.inner.items()}
-    return replace(found, given={**found.given, **given})
+    return replace(found, given={**found.given, **constrained, **given})
 
 
 def _around(given: Given) -> Class:

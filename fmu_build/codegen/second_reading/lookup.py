@@ -74,25 +74,52 @@ class Lookup:
         if other is not None:
             found = self._of_redeclaration(first, other, scope)
         elif own is not None:
-            found = own
+            found = self._with_constraint(own)
         else:
             found = self._around(first, scope)
         return self._library.within(found, rest)
 
     def _of_redeclaration(self, name: str, other: Given, scope: Scope) -> Class:
-        """Return the class that a component is given for one of this name, perhaps with modifiers."""
+        """Return the class that a component is given for one of this name, perhaps with modifiers.
+
+        Those of the constraining clause hold, too (section 7.3.2).
+        """
         if not other.type or other.type_scope is None:
             raise UnknownError
         found = self.class_in(other.type.split("."), other.type_scope)
-        if not other.inner:
-            return found
-        key = (scope.path, id(scope.around), name)
+        declared = self._library.declaration(scope.around, name)
+        constraint = declared.constraint if declared is not None else None
+        inner = {**(constraint.inner if constraint is not None else {})}
+        if any(one.inner or _has_names(one) for one in inner.values()):
+            raise UnknownError
+        inner |= _modifiers(other, other.type_scope)
+        return self._modified_class((scope.path, id(scope.around), name), found, other, inner)
+
+    def _with_constraint(self, own: Class) -> Class:
+        """Return a class with the modifiers of its constraining clause."""
+        if own.constraint is None or not own.constraint.inner:
+            return own
+        if not own.is_short:
+            raise UnknownError
+        ((base, modifier),) = own.bases
+        key = ("", id(own), own.name)
         if key not in self._modified:
-            bases = [(other.type, Modifier(inner=_modifiers(other, other.type_scope)))]
-            short = Class(name, found.kind, other.type_scope.around, bases=bases, is_short=True)
+            bases = [(base, Modifier(inner={**own.constraint.inner, **modifier.inner}))]
+            self._modified[key] = Class(own.name, own.kind, own.around, bases=bases, is_short=True)
+        return self._modified[key]
+
+    def _modified_class(
+        self, key: tuple[str, int, str], found: Class, other: Given, inner: Mapping[str, Modifier]
+    ) -> Class:
+        """Return a redeclared class with modifiers, always the same one: classes are known by identity."""
+        if not inner:
+            return found
+        if key not in self._modified and other.type_scope is not None:
+            bases = [(other.type, Modifier(inner=inner))]
+            short = Class(key[-1], found.kind, other.type_scope.around, bases=bases, is_short=True)
             if self._library.base(short, other.type) is not found:
                 raise UnknownError
-            self._modified[key] = short  # always the same one, because classes are known by their identities
+            self._modified[key] = short
         return self._modified[key]
 
     def redeclared(self, name: str, scope: Scope) -> Given | None:
@@ -151,3 +178,8 @@ def _modifiers(given: Given, scope: Scope) -> dict[str, Modifier]:
         name: Modifier(value=one.value, inner=_modifiers(one, scope), final=one.final)
         for name, one in given.inner.items()
     }
+
+
+def _has_names(modifier: Modifier) -> bool:
+    """Return whether a value depends on where it stands."""
+    return any(token.isidentifier() for token in modifier.value) or bool(modifier.type)

@@ -216,6 +216,11 @@ class Library:
                 with suppress(UnknownError):
                     for one in self.lineage(self.base(heir, name)) if names else ():
                         found[id(one)] |= names
+            for one in heir.classes.values():
+                if one.kind == "package" and one.constraint is not None and one.constraint.inner:
+                    with suppress(UnknownError):
+                        for base in self.lineage(one):
+                            found[id(base)] |= one.constraint.inner.keys()
             for modifier in _redeclarations(heir):
                 with suppress(UnknownError):
                     package = self.default(modifier.type, heir)

@@ -83,6 +83,7 @@ CLASSES = (
         f"{{whole}} is {_INHERITED}",
         (r"(?<![\w.])(?:\w+\s*\.\s*)*(?=NAME\b)HEIR\s*\.\s*\w+\s+\w+",),
         only_there=True,
+        needs=r"\bpackage\s+NAME\s*=",
     ),
     Meaning(
         r"must be a connector, but has builtin type '(?P<whole>(?:\w+\.)*(?P<name>\w+)\.\w+)'",

@@ -95,7 +95,11 @@ def _markers(head: TableHead) -> dict[str, dict[str, Heading]]:
     for heading in head.headings:
         match = _COLUMN.fullmatch(heading.name)
         if match:
-            found.setdefault(match["marker"], {})[match["axis"].lower()] = heading
+            marker, axis = match["marker"], match["axis"].lower()
+            first = found.setdefault(marker, {}).setdefault(axis, heading)
+            if first is not heading:
+                reason = f"has {axis} of marker {marker!r} twice, in {first.text!r} and in {heading.text!r}"
+                raise RecordError(str(head.path), reason, "delete or rename one of them", rows=[head.line])
     if not found:
         advice = "name the columns as in: time (s),TOP x (mm),TOP y (mm),TOP z (mm)"
         texts = ", ".join(repr(heading.text) for heading in head.headings)

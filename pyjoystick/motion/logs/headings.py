@@ -91,6 +91,39 @@ _BRACKETS: Final = re.compile(r"(?P<name>.*?)\s*[(\[{<](?P<unit>[^()\[\]{}<>]*)[
 _AFTER: Final = re.compile(
     r"(?P<name>[^/]+?)\s*/\s*(?P<unit>.+)|(?P<name2>.+?)(?:,\s*|\s+in\s+|[_ ])(?P<unit2>\S+)"
 )
+_STRUCTURE: Final = re.compile(r"[^\W\d]\w*(?:\(\d+\))?")
+#: What may stand before a point for a function of a quantity.
+_CHANGES: Final = frozenset(
+    (
+        "abs",
+        "arg",
+        "cos",
+        "d",
+        "delta",
+        "dev",
+        "diff",
+        "err",
+        "error",
+        "inv",
+        "inverse",
+        "max",
+        "mean",
+        "min",
+        "minus",
+        "neg",
+        "negative",
+        "norm",
+        "ref",
+        "rel",
+        "rms",
+        "sd",
+        "sigma",
+        "sin",
+        "std",
+        "tan",
+        "var",
+    )
+)
 _MINUS: Final = ("-", "\N{MINUS SIGN}", "\N{EN DASH}")
 _GERMAN: Final = ("zeit", "winkel", "kraft", "moment", "weg", "geschwindigkeit")
 
@@ -131,7 +164,7 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
 
 def meaning(name: str) -> str | None:
     """The quantity with this name in one of the languages; none for its negative, as ``-theta``."""
-    if name.strip()[:1] in _MINUS:
+    if unicodedata.normalize("NFKC", name).strip(" _")[:1] in _MINUS:
         return None
     plain = _plain(name)
     for quantity in _NAMES:
@@ -172,8 +205,10 @@ def _may_mean(name: str, quantity: str) -> bool:
 
 
 def last_part(name: str) -> str:
-    """Name of a field without its enclosing structures; words with points are none, as in ``neg. angle``."""
-    return name if " " in name else name.rpartition(".")[2] or name
+    """Name of a field without its enclosing structures; ``neg. angle`` and ``abs.theta`` have none."""
+    around, _, last = name.rpartition(".")
+    is_field = all(map(_STRUCTURE.fullmatch, around.split("."))) and around.casefold() not in _CHANGES
+    return last if last and is_field else name
 
 
 def reading_unit(unit: str) -> str:

@@ -340,5 +340,27 @@ def test_packages_that_are_redeclared_with_modifiers(equation: str, tmp_path: Pa
         _generate(_MEDIA.format(equation, "k = 2"), tmp_path)
 
 
+@pytest.mark.parametrize("model", ["T t(redeclare package Medium = W);", "T t;"])
+def test_modifiers_of_a_constraining_clause(model: str, tmp_path: Path) -> None:
+    """They hold for the default and for what replaces it (section 7.3.2); rumoca forgets them."""
+    text = (
+        "package Base constant Real k = 3; constant Real j = 2; end Base; package W = Base(j = 4); "
+        "model T replaceable package Medium = Base constrainedby Base(k = 9); Real y = Medium.k*time; end T; "
+    )
+    with pytest.raises(UnsupportedModelError, match=r"Medium\.k is not 3"):
+        _generate(f"{text} model M {model} end M;", tmp_path)
+
+
+@pytest.mark.parametrize("model", ["T t;", "T t(redeclare function f = h);"])
+def test_modifiers_of_a_constraining_clause_of_a_function(model: str, tmp_path: Path) -> None:
+    text = (
+        "function g input Real x; input Real a = 1; output Real y = a*x; algorithm end g; "
+        "function h = g(a = 2); "
+        "model T replaceable function f = g constrainedby g(a = 7); Real y = f(time); end T; "
+    )
+    with pytest.raises(UnsupportedModelError, match="differs in the compiler's reading"):
+        _generate(f"{text} model M {model} end M;", tmp_path)
+
+
 def test_packages_that_are_redeclared_with_modifiers_that_change_nothing_else(tmp_path: Path) -> None:
     _generate(_MEDIA.format("Real y = time*Medium.k;", "k = 2"), tmp_path)

@@ -107,6 +107,7 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
         ),
         (PLAIN.replace("time (s)", "clock (s)"), r"has no column 'time'"),
         (PLAIN.replace("TOP z (mm)", "TOP w (mm)"), r"lacks z of marker 'TOP'"),
+        (PLAIN.replace("TOP z (mm)", "TOP X (m)"), r"has x of marker 'TOP' twice, in 'TOP x \(mm\)' and in"),
         (_changed(PLAIN, 6, "0.0666666667", "0.01"), r"column 'time', row 6: the time does not increase"),
         (
             _changed(PLAIN, 6, "0.0666666667", ""),
