@@ -96,8 +96,9 @@ class Lookup:
         return self._modified_class((scope.path, id(scope.around), name), found, other, inner)
 
     def _with_constraint(self, own: Class) -> Class:
-        """Return a class with the modifiers of its constraining clause."""
-        if own.constraint is None or not own.constraint.inner:
+        """Return a package or function with the modifiers of its constraining clause; components get them."""
+        is_component = own.kind not in ("package", "function")
+        if is_component or own.constraint is None or not own.constraint.inner:
             return own
         if not own.is_short:
             raise UnknownError
