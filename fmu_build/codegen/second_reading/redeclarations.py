@@ -88,10 +88,12 @@ class Redeclarations:
         return Scope(path if is_own else NOWHERE, around)
 
     def _of_default(self, path: str, member: Member) -> Mapping[str, Given]:
-        """Return what the constraining clause of a class that is not redeclared gives."""
+        """Return what the constraining clause of a class that is not redeclared gives, but for its own."""
         declared = self._library.declaration(member.around, member.component.type)
-        is_constrained = declared is not None and declared.constraint is not None
-        return self._constraint(path, member) if is_constrained else {}
+        if declared is None or declared.constraint is None:
+            return {}
+        own = declared.bases[0][1].inner if declared.is_short else {}
+        return {name: one for name, one in self._constraint(path, member).items() if name not in own}
 
     def _constraint(self, path: str, member: Member) -> Mapping[str, Given]:
         """Return what a class gives to a component whose type it is, if that is redeclared."""
