@@ -34,12 +34,14 @@ _PACKAGES: Final = ("pyjoystick", "fmpy", "numpy", "scipy", "pandas")
 def replacing(path: str | PathLike[str]) -> Iterator[Path]:
     """Path next to `path` to write to, with the same suffix; on leaving, it replaces `path`.
 
-    Missing folders are created. If the body raises an error, `path` is left unchanged.
+    Missing folders are created. Of a symbolic link, the file that it leads to is replaced. If the body raises
+    an error, `path` is left unchanged.
 
     Raises:
         OutputFileError: the file cannot be written there
     """
     path = Path(path)
+    path = _resolved(path) if path.is_symlink() else path
     # Shortened, so that it is no longer than the longest name that a file may have.
     temporary = path.with_name(f".{path.stem[:_KEPT]}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
     try:
@@ -77,7 +79,7 @@ def check_outputs(*paths: Path | None) -> None:
     """
     wanted = [path for path in paths if path is not None]
     for i, path in enumerate(wanted):
-        if path.resolve() in [other.resolve() for other in wanted[:i]]:
+        if _resolved(path) in map(_resolved, wanted[:i]):
             raise OutputFileError(path, "another result is written there too")
         try:
             is_folder = path.is_dir()
@@ -91,6 +93,13 @@ def check_outputs(*paths: Path | None) -> None:
                 pass
         except OSError as error:
             raise OutputFileError(path, f"{folder}: {error.strerror or error}") from error
+
+
+def _resolved(path: Path) -> Path:
+    try:
+        return path.resolve()
+    except RuntimeError as error:
+        raise OutputFileError(path, "it is a symbolic link that leads in a circle") from error
 
 
 def check_suffix(path: str | PathLike[str], *suffixes: str) -> None:

@@ -128,3 +128,20 @@ def test_versions_are_those_of_the_packages() -> None:
     assert versions()["Python"] == platform.python_version()
     assert versions()["numpy"] == np.__version__
     assert version_of("no-such-package") == "not installed"
+
+
+def test_a_symbolic_link_stays_one(tmp_path: Path) -> None:
+    (tmp_path / "results").mkdir()
+    link = tmp_path / "link.csv"
+    link.symlink_to("results/target.csv")
+    write_text(link, "new\n")
+    assert link.is_symlink()
+    assert (tmp_path / "results" / "target.csv").read_text() == "new\n"
+
+
+def test_a_circle_of_symbolic_links_is_refused(tmp_path: Path) -> None:
+    link = tmp_path / "link.csv"
+    link.symlink_to("link.csv")
+    for write in (lambda: check_outputs(link), lambda: write_text(link, "new")):
+        with pytest.raises(OutputFileError, match=r"link\.csv"):
+            write()
