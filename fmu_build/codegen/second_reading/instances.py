@@ -122,6 +122,7 @@ class Instances(Variables):
             base = self.library.base(owner, name)
             if base in PREDEFINED.values():
                 raise UnknownError
+            self._name_package(path, owner, name, base)
             inner = {
                 **redeclared_classes(path, owner),
                 **inner_of(modifier, Scope(NOWHERE if owner.is_short else path, owner)),
@@ -137,6 +138,16 @@ class Instances(Variables):
             own = self._redeclarations.declared(path, owner, component, outer)
             whole = both(joined(path, component.name), outer, own, self.mistakes)
             yield Member(component, owner, whole, all_given)
+
+    def _name_package(self, path: str, owner: Class, name: str, base: Class) -> None:
+        """Take note of the package in which the names of a base class are looked up (section 5.6.1)."""
+        *package, _ = name.split(".")
+        key, own = (plain(path), id(base)), (plain(path), id(owner))
+        if package and package != [""]:
+            with suppress(UnknownError):
+                self.lookup.of_bases[key] = self.lookup.class_in(package, Scope(path, owner))
+        elif own in self.lookup.of_bases:
+            self.lookup.of_bases[key] = self.lookup.of_bases[own]
 
     def _component(self, path: str, member: Member, around: frozenset[str], depth: int) -> None:
         """Add the variables in a component, or the variable that it is."""

@@ -21,11 +21,13 @@ class Lookup:
     Attributes:
         given: what the classes of a component are given, by its path and the identities of the classes
         heirs: the packages of which the classes of components are elements, by the plain paths of these
+        of_bases: the packages by which base classes of these are named, with the identities of the bases
     """
 
     def __init__(self, library: Library) -> None:
         self.given: dict[tuple[str, int], Mapping[str, Given]] = {}
         self.heirs: dict[str, Class] = {}
+        self.of_bases: dict[tuple[str, int], Class] = {}
         self._modified: dict[tuple[str, int, str], Class] = {}
         self._library = library
 
@@ -163,6 +165,8 @@ class Lookup:
     def _heirs(self, scope: Scope) -> Iterator[Class]:
         """Yield the packages of the components around a scope, the innermost first."""
         path = "" if scope.path == NOWHERE else plain(scope.path)
+        if scope.path != NOWHERE and (path, id(scope.around)) in self.of_bases:
+            yield self.of_bases[path, id(scope.around)]
         while path:
             if path in self.heirs:
                 yield self.heirs[path]

@@ -394,7 +394,12 @@ class _Parser:
         is_unknown = bool(common or self._subscripts())
         inner = self._arguments() if self.here == "(" else {}
         value = self._expression() if self.take_if("=") else ()
-        return name, Modifier(value, inner, type=kind, redeclares=is_unknown)
+        return name, Modifier(value, self._with_constraint(inner), type=kind, redeclares=is_unknown)
+
+    def _with_constraint(self, inner: Mapping[str, Modifier]) -> Mapping[str, Modifier]:
+        """What a redeclaration gives with its constraining clause, which its own modifiers override."""
+        constraint = self._constraint()
+        return inner if constraint is None else {**constraint.inner, **inner}
 
     def _redeclared_class(self) -> tuple[str, Modifier]:
         self.take()
@@ -403,9 +408,8 @@ class _Parser:
             return name, Modifier(redeclares=True)
         kind = self.name()
         is_unknown = self.here == "["
-        return name, Modifier(
-            inner=self._arguments() if self.here == "(" else {}, type=kind, redeclares=is_unknown
-        )
+        inner = self._arguments() if self.here == "(" else {}
+        return name, Modifier(inner=self._with_constraint(inner), type=kind, redeclares=is_unknown)
 
     def _expression(self) -> Tokens:
         """Tokens up to a comma, a closing bracket, a semicolon, or a condition or annotation behind it."""

@@ -164,7 +164,7 @@ def understood(text: str, others: Iterable[str] = ()) -> Heading:
 
 def meaning(name: str) -> str | None:
     """The quantity with this name in one of the languages; none for its negative, as ``-theta``."""
-    if unicodedata.normalize("NFKC", name).strip(" _")[:1] in _MINUS:
+    if unicodedata.normalize("NFKC", name).strip(" _.")[:1] in _MINUS:
         return None
     plain = _plain(name)
     for quantity in _NAMES:

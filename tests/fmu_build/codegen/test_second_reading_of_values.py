@@ -340,15 +340,33 @@ def test_packages_that_are_redeclared_with_modifiers(equation: str, tmp_path: Pa
         _generate(_MEDIA.format(equation, "k = 2"), tmp_path)
 
 
-@pytest.mark.parametrize("model", ["T t(redeclare package Medium = W);", "T t;"])
+_CLAUSE = "extends S(redeclare replaceable package Medium = Base constrainedby Base(k = 9));"
+
+
+@pytest.mark.parametrize("model", ["T t(redeclare package Medium = W);", "T t;", _CLAUSE])
 def test_modifiers_of_a_constraining_clause(model: str, tmp_path: Path) -> None:
     """They hold for the default and for what replaces it (section 7.3.2); rumoca forgets them."""
     text = (
         "package Base constant Real k = 3; constant Real j = 2; end Base; package W = Base(j = 4); "
+        "model S replaceable package Medium = Base constrainedby Base; Real y = Medium.k*time; end S; "
         "model T replaceable package Medium = Base constrainedby Base(k = 9); Real y = Medium.k*time; end T; "
     )
     with pytest.raises(UnsupportedModelError, match=r"Medium\.k is not 3"):
         _generate(f"{text} model M {model} end M;", tmp_path)
+
+
+_BASES = """
+package P constant Real k = 1; model A Real y = k*time; end A; end P;
+package Q extends P(k = 3); model B extends {}; end B; end Q;
+model M Q.B b; end M;
+"""
+
+
+def test_bases_by_their_full_names(tmp_path: Path) -> None:
+    """The `k` of `P.A` is that of P, that of the inherited `A` the one of Q (section 5.6.1)."""
+    _generate(_BASES.format("A"), tmp_path)
+    with pytest.raises(UnsupportedModelError, match="k is not 3"):
+        _generate(_BASES.format("P.A"), tmp_path)
 
 
 @pytest.mark.parametrize("model", ["T t;", "T t(redeclare function f = h);"])
