@@ -586,7 +586,19 @@ def test_torques_and_forces_that_no_joystick_takes_are_refused(
 
 @pytest.mark.parametrize(
     "heading",
-    ["-theta (rad)", "\N{MINUS SIGN}Winkel (rad)", "- Angle (rad)", "-theta_rad", "neg. angle (rad)"],
+    [
+        "-theta (rad)",
+        "\N{MINUS SIGN}Winkel (rad)",
+        "\N{FULLWIDTH HYPHEN-MINUS}theta (rad)",
+        "_-theta (rad)",
+        ".-theta (rad)",
+        "- Angle (rad)",
+        "-theta_rad",
+        "neg. angle (rad)",
+        "neg.theta (rad)",
+        "2.theta (rad)",
+        "abs.theta (rad)",
+    ],
 )
 def test_the_negative_of_a_quantity_is_not_taken_for_it(heading: str, tmp_path: Path) -> None:
     path = tmp_path / "log.csv"
