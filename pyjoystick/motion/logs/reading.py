@@ -172,6 +172,8 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
         heading = table.heading(match)
         if heading.unit not in ("", match.unit):
             yield f"{heading.text!r} is read in {match.unit}, as given"
+        if last_part(heading.name) != heading.name:
+            yield f"{heading.text!r} is read as {match.column.name}"
     for i, heading in enumerate(table.file.head.headings):
         if meaning(last_part(heading.name)) in SYMBOLIC and i not in [one.index for one in found.values()]:
             yield f"{heading.text!r} is left alone: --column and --unit say what it is"

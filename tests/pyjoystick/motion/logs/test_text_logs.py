@@ -605,3 +605,11 @@ def test_the_negative_of_a_quantity_is_not_taken_for_it(heading: str, tmp_path: 
     path.write_text(text(("time (s)", heading), TIME, ANGLE), "utf-8")
     with pytest.raises(RecordError, match="has no column 'theta'"):
         read_log(path)
+
+
+@pytest.mark.parametrize("heading", ["data.theta (rad)", "data.inverted.theta (rad)"])
+def test_a_quantity_in_a_structure_is_noted(heading: str, tmp_path: Path) -> None:
+    """What stands before the point may change its meaning."""
+    path = tmp_path / "log.csv"
+    path.write_text(text(("time (s)", heading), TIME, np.radians(ANGLE)), "utf-8")
+    assert f"{heading!r} is read as theta" in read_log(path).notes
