@@ -40,10 +40,11 @@ def replacing(path: str | PathLike[str]) -> Iterator[Path]:
     Raises:
         OutputFileError: the file cannot be written there
     """
-    path = Path(path)
-    path = _resolved(path) if path.is_symlink() else path
+    named = Path(path)
+    path = _resolved(named) if named.is_symlink() else named
+    _require_no_device(path)
     # Shortened, so that it is no longer than the longest name that a file may have.
-    temporary = path.with_name(f".{path.stem[:_KEPT]}-{os.getpid()}-{os.urandom(4).hex()}{path.suffix}")
+    temporary = path.with_name(f".{named.stem[:_KEPT]}-{os.getpid()}-{os.urandom(4).hex()}{named.suffix}")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -88,11 +89,18 @@ def check_outputs(*paths: Path | None) -> None:
             raise OutputFileError(path, error.strerror or str(error)) from error
         if is_folder:
             raise OutputFileError(path, "it is a folder")
+        _require_no_device(path)
         try:
             with tempfile.TemporaryFile(dir=folder):
                 pass
         except OSError as error:
             raise OutputFileError(path, f"{folder}: {error.strerror or error}") from error
+
+
+def _require_no_device(path: Path) -> None:
+    """Raise OutputFileError for a device or pipe, in the place of which a file would be put."""
+    if path.exists() and not (path.is_file() or path.is_dir()):
+        raise OutputFileError(path, "it is no regular file")
 
 
 def _resolved(path: Path) -> Path:

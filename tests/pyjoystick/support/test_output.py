@@ -145,3 +145,25 @@ def test_a_circle_of_symbolic_links_is_refused(tmp_path: Path) -> None:
     for write in (lambda: check_outputs(link), lambda: write_text(link, "new")):
         with pytest.raises(OutputFileError, match=r"link\.csv"):
             write()
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_a_pipe_or_device_is_not_replaced(tmp_path: Path) -> None:
+    pipe, link = tmp_path / "pipe", tmp_path / "link.csv"
+    os.mkfifo(pipe)
+    link.symlink_to(pipe)
+    for path in (pipe, link):
+        for write in (lambda path=path: check_outputs(path), lambda path=path: write_text(path, "new")):
+            with pytest.raises(OutputFileError, match="it is no regular file"):
+                write()
+    assert pipe.is_fifo()
+
+
+def test_a_link_to_a_file_of_another_suffix_keeps_the_format(tmp_path: Path) -> None:
+    link = tmp_path / "figure.png"
+    link.symlink_to("blob")
+    with replacing(link) as temporary:
+        assert temporary.suffix == ".png"
+        temporary.write_bytes(b"picture")
+    assert link.is_symlink()
+    assert (tmp_path / "blob").read_bytes() == b"picture"
