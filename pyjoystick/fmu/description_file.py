@@ -98,12 +98,12 @@ def _declared(path: Path) -> _Declared:
             found.co_simulation.update(attributes)
         elif parents[1:] == ["UnitDefinitions"]:
             unit = attributes.get("name", "")
-        elif parents[1:] == ["UnitDefinitions", "Unit"] and attributes.get("inverse") in _TRUE:
+        elif parents[1:] == ["UnitDefinitions", "Unit"] and attributes.get("inverse", "").strip() in _TRUE:
             found.inverse.add((unit, attributes.get("name", "")))
         elif parents[1:] == ["ModelVariables"]:
             _require_own_name(path, attributes, variables)
             variables.add(attributes["name"])
-            if attributes.get("intermediateUpdate") in _TRUE:
+            if attributes.get("intermediateUpdate", "").strip() in _TRUE:
                 found.in_steps.add(attributes["name"])
             require_at_most(path, "declares {} variables or more", len(variables), MOST_VARIABLES)
         parents.append(name)
