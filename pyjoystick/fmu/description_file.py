@@ -106,6 +106,9 @@ def _declared(path: Path) -> _Declared:
             if attributes.get("intermediateUpdate", "").strip() in _TRUE:
                 found.in_steps.add(attributes["name"])
             require_at_most(path, "declares {} variables or more", len(variables), MOST_VARIABLES)
+        elif parents[1:2] == ["ModelVariables"] and len(parents) == 3 and name == "Alias":
+            _require_new_name(path, attributes.get("name", ""), variables)
+            variables.add(attributes.get("name", ""))
         parents.append(name)
 
     parser = expat.ParserCreate()
@@ -120,10 +123,14 @@ def _require_own_name(path: Path, attributes: Mapping[str, str], others: Set[str
     name = attributes.get("name", "")
     if not name:
         raise FmuFileError(path, f"variable {len(others) + 1} in its modelDescription.xml has no name")
-    if name in others:
-        raise FmuFileError(path, f"two variables in its modelDescription.xml have the name {name!r}")
+    _require_new_name(path, name, others)
     if "valueReference" not in attributes:
         raise FmuFileError(path, f"variable {name!r} in its modelDescription.xml has no valueReference")
+
+
+def _require_new_name(path: Path, name: str, others: Set[str]) -> None:
+    if name in others:
+        raise FmuFileError(path, f"two variables in its modelDescription.xml have the name {name!r}")
 
 
 def _require_known_version(path: Path, root: str, attributes: Mapping[str, str]) -> None:

@@ -116,6 +116,10 @@ def test_annotations_declare_nothing(version: str, joystick_path: Path, tmp_path
     ("more", "message"),
     [
         ('<Float64 name="time" valueReference="1"/>', "two variables .* have the name 'time'"),
+        (
+            '<Float64 name="y" valueReference="1"><Alias name="time"/></Float64>',
+            "two variables .* have the name 'time'",
+        ),
         ('<Float64 valueReference="1"/>', "variable 2 in its modelDescription.xml has no name"),
         ('<Float64 name="x"/>', "variable 'x' .* has no valueReference"),
     ],
