@@ -84,17 +84,21 @@ class Names(Protocol):
         """Return a member of the record that a function or constructor has returned."""
 
 
+def tree_of(tokens: Tokens) -> Expression:
+    """Return the tree of an expression; raises `UnknownError` if it is not understood."""
+    try:
+        return expression(tokens)
+    except SyntaxError as error:
+        raise UnknownError from error
+
+
 def value_of(tokens: Tokens, names: Names, iterators: Mapping[str, float] | None = None) -> Value:
     """Return the value of an expression, in which iterators have these values.
 
     Raises:
         UnknownError: it is not known
     """
-    try:
-        tree = expression(tokens)
-    except SyntaxError as error:
-        raise UnknownError from error
-    return _Evaluation(names, iterators or {}).of(tree)
+    return _Evaluation(names, iterators or {}).of(tree_of(tokens))
 
 
 def results_of(
@@ -105,10 +109,7 @@ def results_of(
     Raises:
         UnknownError: they are not known
     """
-    try:
-        tree = expression(tokens)
-    except SyntaxError as error:
-        raise UnknownError from error
+    tree = tree_of(tokens)
     if not isinstance(tree, Call):
         raise UnknownError
     return [_Evaluation(names, iterators or {}).result(tree, place) for place in places]

@@ -95,34 +95,32 @@ class Lookup:
         if any(one.inner or _has_names(one) for one in inner.values()):
             raise UnknownError
         inner |= _modifiers(other, other.type_scope)
-        return self._modified_class((scope.path, id(scope.around), name), found, other, inner)
+        if not inner:
+            return found
+        key = (scope.path, id(scope.around), name)
+        short = self._short(key, found.kind, other.type_scope.around, other.type, inner)
+        if self._library.base(short, other.type) is not found:
+            raise UnknownError
+        return short
 
     def _with_constraint(self, own: Class) -> Class:
         """Return a package or function with the modifiers of its constraining clause; components get them."""
         is_component = own.kind not in ("package", "function")
         if is_component or own.constraint is None or not own.constraint.inner:
             return own
-        if not own.is_short:
+        if not own.is_short or own.around is None:
             raise UnknownError
         ((base, modifier),) = own.bases
-        key = ("", id(own), own.name)
-        if key not in self._modified:
-            bases = [(base, Modifier(inner={**own.constraint.inner, **modifier.inner}))]
-            self._modified[key] = Class(own.name, own.kind, own.around, bases=bases, is_short=True)
-        return self._modified[key]
+        inner = {**own.constraint.inner, **modifier.inner}
+        return self._short(("", id(own), own.name), own.kind, own.around, base, inner)
 
-    def _modified_class(
-        self, key: tuple[str, int, str], found: Class, other: Given, inner: Mapping[str, Modifier]
+    def _short(
+        self, key: tuple[str, int, str], kind: str, around: Class, base: str, inner: Mapping[str, Modifier]
     ) -> Class:
-        """Return a redeclared class with modifiers, always the same one: classes are known by identity."""
-        if not inner:
-            return found
-        if key not in self._modified and other.type_scope is not None:
-            bases = [(other.type, Modifier(inner=inner))]
-            short = Class(key[-1], found.kind, other.type_scope.around, bases=bases, is_short=True)
-            if self._library.base(short, other.type) is not found:
-                raise UnknownError
-            self._modified[key] = short
+        """Return a short class with modifiers, for a key always the same: classes are known by identity."""
+        if key not in self._modified:
+            bases = [(base, Modifier(inner=inner))]
+            self._modified[key] = Class(key[-1], kind, around, bases=bases, is_short=True)
         return self._modified[key]
 
     def redeclared(self, name: str, scope: Scope) -> Given | None:

@@ -9,7 +9,8 @@ from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from typing import Final
 
-from fmu_build.codegen.second_reading.expressions import Array, Call, Expression, Reference, expression
+from fmu_build.codegen.second_reading.arithmetic import tree_of
+from fmu_build.codegen.second_reading.expressions import Array, Call, Reference
 from fmu_build.codegen.second_reading.givens import ATTRIBUTES, Given, Scope, inner_of, merged
 from fmu_build.codegen.second_reading.lookup import Lookup
 from fmu_build.codegen.second_reading.operations import UnknownError
@@ -57,7 +58,7 @@ class RecordValues:
         value, scope = self._element(given, given.scope), given.scope
         found = self._of_constructor(path, value, scope, record, given.inner)
         if found is None:
-            is_operand = isinstance(_tree(value), Call | Reference)
+            is_operand = isinstance(tree_of(value), Call | Reference)
             whole = value if is_operand else ("(", *value, ")")
             names = self._arguments(path, record, given.inner)
             found = {name: Given((*whole, ".", name), scope) for name in names}
@@ -66,14 +67,14 @@ class RecordValues:
     def _element(self, given: Given, scope: Scope) -> Tokens:
         """Return the value for one element of an array of records."""
         value, places = _bare(given.value), given.place
-        while places and isinstance(_tree(value), Array):
+        while places and isinstance(tree_of(value), Array):
             elements = arguments(value[1:-1])
             if places[0] >= len(elements):
                 raise UnknownError
             value, places = _bare(elements[places[0]]), places[1:]
-        if not places or isinstance(_tree(value), Call):  # A record is the same for all elements.
+        if not places or isinstance(tree_of(value), Call):  # A record is the same for all elements.
             return value
-        if value[-1] == "]" or not isinstance(_tree(value), Reference):
+        if value[-1] == "]" or not isinstance(tree_of(value), Reference):
             raise UnknownError
         chosen = places[: self._dimensions(value, scope)]
         subscripts = [token for one in chosen for token in (",", str(one + 1))]
@@ -83,7 +84,7 @@ class RecordValues:
         self, path: str, value: Tokens, scope: Scope, record: Class, inner: Mapping[str, Given]
     ) -> dict[str, Given] | None:
         """Return what the arguments of a constructor are; None for other expressions."""
-        if not isinstance(_tree(value), Call):
+        if not isinstance(tree_of(value), Call):
             return None
         place = value.index("(")
         called, given = self._called("".join(value[:place]), scope)
@@ -146,15 +147,8 @@ def _bare(value: Tokens) -> Tokens:
     """Return an expression without parentheses around it."""
     while value[0] == "(":
         with suppress(UnknownError):
-            _tree(value[1:-1])
+            tree_of(value[1:-1])
             value = value[1:-1]
             continue
         break
     return value
-
-
-def _tree(value: Tokens) -> Expression:
-    try:
-        return expression(value)
-    except SyntaxError as error:
-        raise UnknownError from error
