@@ -373,7 +373,7 @@ def test_bases_by_their_full_names(tmp_path: Path) -> None:
 def test_modifiers_of_a_constraining_clause_of_a_function(model: str, tmp_path: Path) -> None:
     text = (
         "function g input Real x; input Real a = 1; output Real y = a*x; algorithm end g; "
-        "function h = g(a = 2); "
+        "function h input Real x; input Real a = 1; output Real y = 2*a*x; algorithm end h; "
         "model T replaceable function f = g constrainedby g(a = 7); Real y = f(time); end T; "
     )
     with pytest.raises(UnsupportedModelError, match="differs in the compiler's reading"):
