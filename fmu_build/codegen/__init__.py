@@ -20,6 +20,7 @@ from fmu_build.codegen.lowered import LoweredModel, lower
 from fmu_build.codegen.names import modelica_texts
 from fmu_build.codegen.open_connectors import without_open_connectors
 from fmu_build.codegen.rejections import reject_unsupported
+from fmu_build.codegen.second_reading.results import Row, kept_texts, mistaken_results
 from fmu_build.codegen.sensitivities import extend, find_wanted
 from fmu_build.codegen.source import ModelSource
 from fmu_build.codegen.start_values import StartValues
@@ -30,9 +31,10 @@ from fmu_build.codegen.tangents import NoTangentsError, Tangents
 from fmu_build.codegen.trials import Trials
 from fmu_build.codegen.variables import StoredVariable, VariableReader
 from fmu_build.support.description import GeneratedModel, ModelDescription
+from fmu_build.support.errors import UnsupportedModelError
 from fmu_build.support.request import SensitivityRequest
 
-__all__ = ["ModelSource", "generate"]
+__all__ = ["ModelSource", "check_results", "generate"]
 
 _MOST_TEXTS = 5
 
@@ -60,7 +62,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         starts = StartValues(lowered)
         variables = extended.marked(VariableReader(lowered, equations, starts, baked, left_out).read())
     structure = Structure(equations, variables)
-    texts = modelica_texts(lowered, equations)
+    written_in = modelica_texts(lowered, equations)
     written = with_values_from_before(equations)
     tangents, notes = _tangents(equations, variables)
     description = ModelDescription(
@@ -70,14 +72,24 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         outputs=structure.outputs(),
         derivatives=structure.derivatives(),
         initial_unknowns=structure.initial_unknowns(),
-        event_indicators=tuple(map(texts.text, equations.relations.roots)),
+        event_indicators=tuple(map(written_in.text, equations.relations.roots)),
         default_experiment=default_experiment(lowered),
         documentation=documentation(lowered),
         terminals=terminals(lowered),
         has_directional_derivatives=tangents is not None,
     )
     c_source = write_model(lowered, written, variables, starts, functions.sources(), tangents)
-    return GeneratedModel(description, c_source, notes + unchecked)
+    texts = kept_texts([text for _, text in lowered.sources.values()])
+    return GeneratedModel(description, c_source, notes + unchecked, texts)
+
+
+def check_results(model: GeneratedModel, rows: Sequence[Row]) -> None:
+    """Raise `UnsupportedModelError` if the FMU's values at some times do not fulfil the model's equations."""
+    for mistake in mistaken_results(model.texts, model.description.model_name, rows):
+        raise UnsupportedModelError(
+            f"{model.description.model_name}: {mistake}; compiler or generator have misread it: write it "
+            "another way"
+        )
 
 
 class _Read(NamedTuple):

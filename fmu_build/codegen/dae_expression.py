@@ -3,12 +3,41 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any, Final
 
 from fmu_build.codegen import expression as ex
 from fmu_build.codegen.expression import Expression
 from fmu_build.codegen.functions.builtins import OPERATORS, UNARY_FUNCTIONS
 from fmu_build.codegen.lowered import LoweredModel
+
+_OF_MATH: Final = (
+    *("Sqrt", "Exp", "Log", "Log10", "Floor", "Ceil", "Trunc", "Sin", "Cos", "Tan"),
+    *("Asin", "Acos", "Atan", "Atan2", "Sinh", "Cosh", "Tanh", "Pow"),
+)
+_NUMBERS: Final[Mapping[str, Callable[..., float]]] = {
+    **{name: getattr(math, name.lower()) for name in _OF_MATH},
+    "Abs": abs,
+    "Add": operator.add,
+    "And": lambda a, b: a and b,
+    "Div": operator.truediv,
+    "Eq": operator.eq,
+    "Ge": operator.ge,
+    "Gt": operator.gt,
+    "Le": operator.le,
+    "Lt": operator.lt,
+    "Max": max,
+    "Min": min,
+    "Mul": operator.mul,
+    "Ne": operator.ne,
+    "Neg": operator.neg,
+    "Not": operator.not_,
+    "Or": lambda a, b: a or b,
+    "Select": lambda condition, a, b: a if condition else b,
+    "Sign": lambda a: (a > 0) - (a < 0),
+    "Sub": operator.sub,
+}
 
 
 def plain_expression(model: LoweredModel, number: int, element: int = 0) -> Expression | None:
@@ -37,13 +66,28 @@ def plain_expression(model: LoweredModel, number: int, element: int = 0) -> Expr
         case "array" if "elements" in operation:
             part, inside = divmod(element, math.prod(entry["value_type"]["dimensions"][1:]))
             return plain_expression(model, operation["elements"][part], inside)
-    operator, numbers = _operator(model, operation)
+    name, numbers = _operator(model, operation)
     operands = [found for found in map(value, numbers) if found is not None]
-    return _applied(operator, operands) if operator and len(operands) == len(numbers) else None
+    return _applied(name, operands) if name and len(operands) == len(numbers) else None
+
+
+def number_of(expression: Expression, start_of: Callable[[int], float]) -> float:
+    """Return the value of an expression; `start_of` gives that of a parameter by its place in p.
+
+    Raises:
+        ArithmeticError, ValueError: it has none, as 1/0
+        KeyError: it depends on something else, or has an operator that is not known here
+    """
+    if expression.is_number:
+        return expression.value
+    if expression.operator == "p":
+        return start_of(expression.index)
+    operands = [number_of(one, start_of) for one in expression.arguments]
+    return float(_NUMBERS[expression.operator](*operands))
 
 
 def _operator(model: LoweredModel, operation: dict[str, Any]) -> tuple[str, list[int]]:
-    """Return operator and operands of an element-wise operation; for any other, the operator is ""."""
+    """Return the name and operands of an element-wise operation; for any other, the name is ""."""
     match operation["kind"]:
         case "conditional":
             return "Select", operation["operands"]
@@ -61,15 +105,15 @@ def _operator(model: LoweredModel, operation: dict[str, Any]) -> tuple[str, list
     return "", []
 
 
-def _applied(operator: str, operands: list[Expression]) -> Expression:
-    if operator == "Select":
+def _applied(name: str, operands: list[Expression]) -> Expression:
+    if name == "Select":
         *arms, result = operands
         for condition, chosen in reversed(list(zip(arms[::2], arms[1::2], strict=True))):
             result = ex.select(condition, chosen, result)
         return result
-    if operator in ex.COMPARE:
-        return Expression(operator, tuple(operands))
-    return ex.unary(operator, *operands) if len(operands) == 1 else ex.binary(operator, *operands)
+    if name in ex.COMPARE:
+        return Expression(name, tuple(operands))
+    return ex.unary(name, *operands) if len(operands) == 1 else ex.binary(name, *operands)
 
 
 def _place(model: LoweredModel, operation: dict[str, Any]) -> int | None:

@@ -51,8 +51,8 @@ class _Reader:
         unknowns, residuals = self._initial_equations()
         blocks = [step for step in algebraics if isinstance(step, NewtonBlock)]
         sought: set[Slot] = {("y", i) for block in blocks for i in block.unknowns} | set(unknowns)
-        dependent, starts, guesses = self._updates(n_states, sought)
         given = StartValues(self.model)
+        dependent, starts, guesses = self._updates(given, n_states, sought)
         known = {slot for slot in sought if given.of(slot) != 0.0} | {slot for slot, _ in guesses}
         guesses += tuple(derived_guesses(blocks, known, n_states))
         actions = self._actions()
@@ -185,7 +185,7 @@ class _Reader:
         raise self.model.unsupported(f"message part {kind} is not supported")
 
     def _updates(
-        self, n_states: int, sought: set[Slot]
+        self, given: StartValues, n_states: int, sought: set[Slot]
     ) -> tuple[tuple[tuple[int, Expression], ...], _Starts, _Starts]:
         """Return computed parameters, start values that depend on parameters, and guesses for `sought`."""
         initialization = self.solve["initialization"]
@@ -202,7 +202,7 @@ class _Reader:
                 dependent.append((slot[1], rows[number]))
             else:
                 starts.append((slot, rows[number]))
-        others = starts_from_parameters(self.model, n_states, sought, without=targets)
+        others = starts_from_parameters(self.model, given, n_states, sought, without=targets)
         guesses = tuple((slot, value) for slot, value in others if slot in sought)
         starts += [(slot, value) for slot, value in others if slot not in sought]
         return tuple(dependent), (*starts, *self._previous_values(sought)), guesses

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+import math
+from collections.abc import Container, Mapping
 from functools import cached_property
 from typing import Any
 
-from fmu_build.codegen.dae_expression import plain_expression
+from fmu_build.codegen.dae_expression import number_of, plain_expression
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
 from fmu_build.support.description import EnumerationType
@@ -17,11 +18,22 @@ class StartValues:
 
     def __init__(self, model: LoweredModel) -> None:
         self._model = model
-        self._values = self._read()
+        self._elements = {
+            model.slots[name]: (variable, number)
+            for variable in model.dae["variables"]
+            for number, name in enumerate(variable["scalar_names"])
+            if name in model.slots
+        }
+        self._values: dict[Slot, float] = {}
+        for slot in self._elements:
+            self.of(slot)
 
     def of(self, slot: Slot) -> float:
         """Return the start value of a slot; the default is 0 or the first literal of an enumeration."""
-        return self._values.get(slot, 0.0)
+        if slot not in self._values:
+            self._values[slot] = math.nan  # until it is known
+            self._values[slot] = self._start(*self._elements[slot]) if slot in self._elements else 0.0
+        return self._values[slot]
 
     @cached_property
     def enumerations(self) -> tuple[EnumerationType, ...]:
@@ -43,52 +55,54 @@ class StartValues:
                 return enumeration
         return None
 
-    def _read(self) -> dict[Slot, float]:
-        values: dict[Slot, float] = {}
-        for variable in self._model.dae["variables"]:
-            for number, name in enumerate(variable["scalar_names"]):
-                if name in self._model.slots:
-                    values[self._model.slots[name]] = self._start(variable, number)
-        return values
-
     def _start(self, variable: dict[str, Any], number: int) -> float:
-        attributes = variable["attributes"]
-        is_parameter = variable["role"] in ("parameter", "constant")
-        has_binding = is_parameter or variable["role"] == "input"
-        for kind in ("binding", "start") if has_binding else ("start",):
-            numbers = attributes[f"{kind}_values"]
-            if numbers:
-                return float(numbers[number] if len(numbers) > 1 else numbers[0])
-            if attributes[kind] is not None:
-                value = self._literal(attributes[kind], number)
-                if value is not None:
-                    return value
-        is_computed = variable["name"] in self._model.computed_parameters
-        if (
-            is_parameter
-            and not is_computed
-            and variable["value_type"]["scalar"] in ("boolean", "enumeration")
-        ):
-            raise self._model.unsupported(
-                f"the value of parameter {variable['name']} is not a literal", variable["declaration"]["span"]
-            )
-        return 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
+        """Return the start value of an element of a variable, which its binding or attribute gives.
 
-    def _literal(self, number: int, element: int) -> float | None:
-        """Return the value of a literal expression of the DAE, or of an element of an array of literals."""
-        operation = self._model.dae["expressions"][number]["operation"]
-        if operation["kind"] == "literal":
-            ((kind, value),) = operation["value"].items()
-            return float(value) if kind in ("real", "integer", "boolean", "enumeration") else None
-        if operation["kind"] == "array" and "elements" in operation:
-            return self._literal(operation["elements"][element], 0)
-        return None
+        A binding holds even if the attribute, perhaps of the declaration, has another value.
+        """
+        attributes = variable["attributes"]
+        is_constant = variable["role"] in ("parameter", "constant")
+        decides = is_constant or variable["role"] == "input"
+        is_bound = attributes["binding"] is not None and decides
+        kind = "binding" if is_bound else "start"
+        default = 1.0 if variable["value_type"]["scalar"] == "enumeration" else 0.0
+        if attributes[kind] is None:
+            return default
+        value = self.given(variable, kind, number)
+        is_text = variable["value_type"]["scalar"] == "string"
+        is_computed = variable["name"] in self._model.computed_parameters
+        if value is None and decides and not (is_text or is_computed):
+            raise self._model.unsupported(
+                f"the value of {variable['name']} is not plain arithmetic", variable["declaration"]["span"]
+            )
+        return default if value is None else value
+
+    def given(self, variable: Mapping[str, Any], kind: str, element: int) -> float | None:
+        """Return what the binding or start attribute gives to an element; None if it is not known."""
+        attributes = variable["attributes"]
+        numbers, number = attributes[f"{kind}_values"], attributes[kind]
+        if numbers:
+            return float(numbers[element] if len(numbers) > 1 else numbers[0])
+        is_array = bool(self._model.dae["expressions"][number]["value_type"]["dimensions"])
+        found = plain_expression(self._model, number, element if is_array else 0)
+        if found is None:
+            return None
+        try:
+            return number_of(found, lambda index: self.of(("p", index)))
+        except (ArithmeticError, KeyError, ValueError):
+            return None
 
 
 def starts_from_parameters(
-    model: LoweredModel, n_states: int, sought: Container[Slot], without: Container[Slot]
+    model: LoweredModel,
+    given: StartValues,
+    n_states: int,
+    sought: Container[Slot],
+    without: Container[Slot],
 ) -> list[tuple[Slot, Expression]]:
-    """Return start values that depend on parameters and that the Solve IR omits, except those of `without`.
+    """Return start values that the Solve IR omits, except those of `without`.
+
+    They depend on parameters, or are not known as numbers.
 
     They belong to discrete variables, to states that are not fixed, and to the unknowns of algebraic loops
     and initial equations, whose slots are `sought`.
@@ -97,8 +111,9 @@ def starts_from_parameters(
     found: list[tuple[Slot, Expression]] = []
     for variable in model.dae["variables"]:
         start = variable["attributes"]["start"]
-        if start is None or expressions[start]["variability"] != "parameter":
+        if start is None:
             continue
+        depends = expressions[start]["variability"] == "parameter"
         is_array = bool(expressions[start]["value_type"]["dimensions"])
         for element, name in enumerate(variable["scalar_names"]):
             slot = model.slots.get(name)
@@ -106,7 +121,8 @@ def starts_from_parameters(
                 continue  # removed by the compiler
             is_state = slot[0] == "y" and slot[1] < n_states
             acts = is_state or slot in sought or variable["role"].startswith("discrete")
-            if slot in without or not acts:
+            is_known = not depends and given.given(variable, "start", element) is not None
+            if slot in without or not acts or is_known:
                 continue
             value = plain_expression(model, start, element if is_array else 0)
             if value is None:

@@ -8,6 +8,7 @@ import traceback
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import replace
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -72,12 +73,14 @@ class RumocaCompiler:
 
     def build(self, request: BuildRequest) -> BuildResult:
         """Build the FMU; on failure, raise a `BuildError` and leave all files unchanged."""
+        from fmu_build.codegen import check_results
+
         start = time.perf_counter()
         version = self.version()
         check_request(request)
         request.on_stage(f"compiling Modelica with rumoca {version}")
         generated, log = generate_model(request)
-        packaged = package_fmu(generated, request)
+        packaged = package_fmu(generated, request, partial(check_results, generated))
         seconds = time.perf_counter() - start
         return BuildResult(packaged.path, self.name, version, log + packaged.log, seconds)
 

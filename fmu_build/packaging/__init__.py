@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from importlib import metadata
@@ -13,7 +13,7 @@ from fmu_build.packaging.archive import archive_bytes, check_output_folder, repl
 from fmu_build.packaging.binaries import COMPILER_FLAGS, LINKER_FLAGS, binary_entries, compile_library
 from fmu_build.packaging.check import check_fmu
 from fmu_build.packaging.consistency import check_description
-from fmu_build.packaging.default_run import DefaultRun, run_default_experiment
+from fmu_build.packaging.default_run import DefaultRun, Snapshot, run_default_experiment
 from fmu_build.packaging.documentation import FIGURE, index_html
 from fmu_build.packaging.elements import generation_time
 from fmu_build.packaging.figures import ICONS, default_run_svg, model_png
@@ -57,11 +57,15 @@ def check_request(request: BuildRequest) -> None:
     check_output_folder(request.output)
 
 
-def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
+def package_fmu(
+    model: GeneratedModel,
+    request: BuildRequest,
+    check_results: Callable[[Sequence[Snapshot]], None] = lambda _: None,
+) -> PackagedFmu:
     """Compile the model with the runtime and write ``<identifier>.fmu`` to the output folder.
 
-    The same model gives the same bytes. The file appears only after it has passed all checks; a `BuildError`
-    leaves all files unchanged.
+    The same model gives the same bytes. The file appears only after it has passed all checks; a `BuildError`,
+    also of `check_results`, leaves all files unchanged.
     """
     check_request(request)
     check_description(model.description)
@@ -86,6 +90,9 @@ def package_fmu(model: GeneratedModel, request: BuildRequest) -> PackagedFmu:
     run: DefaultRun | str = "it was not run, because this machine is not a known platform"
     if host is not None:
         run = run_default_experiment(libraries[host], host, model.description, token, version)
+    if not isinstance(run, str):
+        check_results(run.snapshots)
+        run = run if run.outputs else "it has no outputs"
     log += f"default experiment: {run}\n" if isinstance(run, str) else ""
     entries |= _documents(model.description, run)
     entries["documentation/licenses/license.txt"] = license_text(version, (*platforms, *modules)).encode()

@@ -8,6 +8,7 @@ import subprocess
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeAlias
 
 from fmu_build.packaging.platforms import Platform
 from fmu_build.packaging.scripts import run_script
@@ -21,6 +22,12 @@ TOLERANCE = 1e-10
 _MOST_VARIABLES = 10
 _MOST_INTERVALS = 300
 _MOST_SECONDS = 60
+#: Parts of the run after which all values are kept.
+_SNAPSHOTS = (0.0, 0.137, 0.382, 0.618, 0.863, 1.0)
+
+
+Snapshot: TypeAlias = tuple[float, dict[str, float]]
+"""A time, with the values of all variables."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +40,8 @@ class DefaultRun:
     time: tuple[float, ...]
     inputs: dict[str, tuple[float, ...]]
     outputs: dict[str, tuple[float, ...]]
+    snapshots: tuple[Snapshot, ...] = ()
+    """The start and some later times."""
 
 
 def run_default_experiment(
@@ -44,9 +53,10 @@ def run_default_experiment(
     """
     outputs = _chosen(description)
     points = communication_points(description.default_experiment)
-    if not outputs or not points:
-        return "it has no outputs" if not outputs else "its stop time is not after its start time"
+    if not points:
+        return "its stop time is not after its start time"
     inputs = _held_inputs(description, points)
+    snapshots = sorted({round(part * (len(points) - 1)) for part in _SNAPSHOTS})
     references = {variable.name: index for index, variable in enumerate(description.variables)}
     asked = {
         "version": fmi_version,
@@ -57,6 +67,8 @@ def run_default_experiment(
         "input_references": [references[name] for name in inputs],
         "inputs": [[values[i] for values in inputs.values()] for i in range(len(points))],
         "outputs": [(variable.type, references[variable.name]) for variable in outputs],
+        "snapshots": snapshots,
+        "all": [(variable.type, references[variable.name]) for variable in description.variables],
     }
     with temporary_folder() as folder:
         # FMPy looks for a library of FMI 3 here, whatever path it is given.
@@ -64,11 +76,20 @@ def run_default_experiment(
         binaries.mkdir(parents=True)
         file = binaries / (description.identifier + platform.extension)
         file.write_bytes(library)
-        rows = _rows(asked | {"folder": str(folder), "library": str(file)}, folder / "run.json")
-    if isinstance(rows, str):
-        return rows
-    columns = dict(zip((variable.name for variable in outputs), zip(*rows, strict=True), strict=True))
-    return DefaultRun(points, inputs, columns)
+        found = _values(asked | {"folder": str(folder), "library": str(file)}, folder / "run.json")
+    if isinstance(found, str):
+        return found
+    columns = zip(*found["rows"], strict=True) if outputs else ()
+    names = [variable.name for variable in description.variables]
+    return DefaultRun(
+        points,
+        inputs,
+        dict(zip((variable.name for variable in outputs), columns, strict=True)),
+        tuple(
+            (points[place], dict(zip(names, row, strict=True)))
+            for place, row in zip(snapshots, found["snapshots"], strict=True)
+        ),
+    )
 
 
 def communication_points(experiment: DefaultExperiment) -> tuple[float, ...]:
@@ -107,8 +128,8 @@ def _held_inputs(description: ModelDescription, points: Sequence[float]) -> dict
     return columns
 
 
-def _rows(asked: dict[str, object], file: Path) -> list[list[float]] | str:
-    """Return the outputs at each point, or the reason why there are none."""
+def _values(asked: dict[str, object], file: Path) -> dict[str, list[list[float]]] | str:
+    """Return the outputs at each point and the snapshots, or the reason why there are none."""
     file.write_text(json.dumps(asked), "utf-8")
     try:
         done = run_script("run_library.py", str(file), seconds=_MOST_SECONDS)
@@ -116,7 +137,7 @@ def _rows(asked: dict[str, object], file: Path) -> list[list[float]] | str:
         return f"it did not end within {_MOST_SECONDS} s"
     if done.returncode != 0:
         return (done.stdout + done.stderr).strip() or f"its process ended with {done.returncode}"
-    rows: list[list[float]] = json.loads(file.read_text("utf-8"))
-    if not all(math.isfinite(value) for row in rows for value in row):
+    found: dict[str, list[list[float]]] = json.loads(file.read_text("utf-8"))
+    if not all(math.isfinite(value) for row in found["rows"] for value in row):
         return "an output is not finite"
-    return rows
+    return found

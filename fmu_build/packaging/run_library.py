@@ -1,7 +1,7 @@
 """Script: run the library of an FMU for Co-Simulation over given communication points.
 
 Usage: python run_library.py FILE    The file contains the request as a JSON object (see `default_run`); it is
-overwritten with the values of the outputs, one row for each point. Exit code 0 on success.
+overwritten with the values of the outputs at each point and of all variables at some. Exit code 0 on success.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ _GETTERS = {
 _REAL_SETTERS = {"2.0": "setReal", "3.0": "setFloat64"}
 
 
-def run(asked: dict[str, Any]) -> list[list[float]]:
-    """Return the outputs at each of the points; errors of FMPy propagate."""
+def run(asked: dict[str, Any]) -> dict[str, list[list[float]]]:
+    """Return the outputs at each of the points, and all variables at some; errors of FMPy propagate."""
     version, points = asked["version"], asked["points"]
     experiment = {"tolerance": asked["tolerance"], "startTime": points[0], "stopTime": points[-1]}
     slave = (FMU2Slave if version == "2.0" else FMU3Slave)(
@@ -40,19 +40,23 @@ def run(asked: dict[str, Any]) -> list[list[float]]:
         slave.enterInitializationMode(**experiment)
     set_reals = getattr(slave, _REAL_SETTERS[version])
     getters = [(getattr(slave, _GETTERS[version][kind]), reference) for kind, reference in asked["outputs"]]
-    rows = []
+    every = [(getattr(slave, _GETTERS[version][kind]), reference) for kind, reference in asked["all"]]
+    rows, snapshots = [], []
     for index, (point, inputs) in enumerate(zip(points, asked["inputs"], strict=True)):
         if index:
             slave.doStep(points[index - 1], point - points[index - 1])
             rows.append([float(get([reference])[0]) for get, reference in getters])
+            if index in asked["snapshots"]:
+                snapshots.append([float(get([reference])[0]) for get, reference in every])
         if inputs:
             set_reals(asked["input_references"], inputs)
         if not index:
             slave.exitInitializationMode()
             rows.append([float(get([reference])[0]) for get, reference in getters])
+            snapshots.append([float(get([reference])[0]) for get, reference in every])
     slave.terminate()
     slave.freeInstance()
-    return rows
+    return {"rows": rows, "snapshots": snapshots}
 
 
 if __name__ == "__main__":

@@ -118,3 +118,5 @@ class GeneratedModel:
     c_source: str
     notes: str = ""
     """Remarks for the user who builds the FMU, one per line."""
+    texts: bytes = b""
+    """The source texts, as `check_results` of the generator takes them."""

@@ -39,6 +39,10 @@ _FEWEST_OUTPUTS: Final = 200
 _MOST_KINKS: Final = 5000
 #: Relative difference of slopes that rounding can cause.
 _STRAIGHT: Final = 1e-9
+#: Rounding errors of a time that CVode reaches, in spacings of numbers.
+_ROUNDINGS: Final = 16.0
+#: The part of a step by which the time of a sample may be wrong.
+_SAME_SAMPLE: Final = 1e-6
 #: A pause is so many times as long as the usual time between two kinks.
 _PAUSE: Final = 5.0
 
@@ -78,7 +82,7 @@ def run_model_exchange(
         FmuNotFoundError, FmuFileError, UnsupportedFmuError: as in `Fmu`
         FmuEndedError, FmuCrashError, FmuTimeLimitError: as in `Fmu.run`
         FmuRunError: the FMU rejects its settings or fails
-        SimulationError: CVode failed
+        SimulationError: CVode failed, or an event is so close to a sample that FMPy takes it for this
     """
     instants = increasing_times(time)
     interval = float(instants[-1] - instants[0]) / (len(instants) - 1)
@@ -133,6 +137,7 @@ def run_model_exchange(
     if len(rows) != len(instants):
         end, samples = float(rows["time"][-1]), make_table(rows["time"], columns, quantities)
         raise FmuEndedError(end, THE_END, description.path, (), samples)
+    _require_samples(rows["time"], grid)
     warn_not_finite(description.path, instants, columns)
     return make_table(instants, columns, quantities)
 
@@ -156,6 +161,19 @@ def _simulate(instance: Instance, folder: str, **settings: Any) -> Any:
         if type(error) is Exception:  # from FMPy, such as for a nominal value below zero
             raise SimulationError(reached[0], f"FMPy: {error}") from error
         raise
+
+
+def _require_samples(found: NDArray[np.float64], grid: NDArray[np.float64]) -> None:
+    """Raise an error if FMPy has recorded an event instead of a sample: it takes times within 1e-9 for equal.
+
+    An error of less than a millionth of what changes between two samples is left alone.
+    """
+    allowed = _ROUNDINGS * np.spacing(np.abs(grid).max()) + _SAME_SAMPLE * (grid[1] - grid[0])
+    other = np.abs(found - grid) > allowed
+    if other.any():
+        sample, event = float(grid[other][0]), float(found[other][0])
+        why = f"FMPy has recorded the event at {event:.17g} s instead of the sample"
+        raise SimulationError(sample, f"{why}; choose other times, or times nearer to 0")
 
 
 def _column(rows: Any, variable: Variable) -> NDArray[Any]:
@@ -240,12 +258,42 @@ def apply_inputs_with_time(fmi: Any, model_description: Any, signals: NDArray[An
         model_description: as read by FMPy
         signals: from `input_signals`
     """
-    inputs = Input(fmi, model_description, signals)
+    inputs = _Inputs(fmi, model_description, signals)
     set_time = fmi.setTime
 
     def set_time_and_inputs(time: float) -> None:
         set_time(time)
-        # At a jump, use the value after it, because CVode restarts there and evaluates this instant first.
-        inputs.apply(time, discrete=False, after_event=True)
+        inputs.apply(time, discrete=False)
 
     fmi.setTime = set_time_and_inputs
+
+
+class _Inputs(Input):  # type: ignore[misc]  # FMPy has no types
+    """Inputs at times that differ by more than rounding from those of jumps, which FMPy takes for equal."""
+
+    @staticmethod
+    def interpolate(
+        time: float,
+        t: NDArray[np.float64],
+        table: NDArray[np.float64],
+        discrete: bool = False,
+        after_event: bool = False,
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Return values and derivatives of continuous inputs, at a jump those after it.
+
+        CVode restarts at jumps and evaluates these instants first.
+
+        Args:
+            time: the time (s)
+            t: the times of the rows (s), shape (n,)
+            table: the values, shape (number of inputs, n)
+            discrete: of FMPy; not used
+            after_event: of FMPy; not used
+        """
+        del discrete, after_event
+        rounding = _ROUNDINGS * np.spacing(abs(time))
+        row = int(np.searchsorted(t, time + rounding, side="right")) - 1
+        if not 0 <= row < len(t) - 1:
+            return table[:, max(row, 0)], np.zeros(len(table))
+        slopes = (table[:, row + 1] - table[:, row]) / (t[row + 1] - t[row])
+        return table[:, row] + (time - t[row]) * slopes, slopes

@@ -15,7 +15,7 @@ from typing import Any
 from fmu_build.codegen.functions.assignments import Assignment, AssignmentWriter
 from fmu_build.codegen.functions.code import FunctionCode, twin
 from fmu_build.codegen.functions.dae import FunctionDae
-from fmu_build.codegen.functions.definitions import Statement, flattened, live_definitions
+from fmu_build.codegen.functions.definitions import Statement, flattened, live_definitions, reads
 from fmu_build.codegen.functions.expressions import Callees, FunctionExpressions
 from fmu_build.codegen.functions.index import Index, LoopVariable, positions
 from fmu_build.codegen.functions.signature import FunctionSignature
@@ -68,6 +68,7 @@ class _FunctionWriter:
                 continue
             self._dimensions[value["ordinal"]] = self._dae.declared_dimensions(value)
             self._expressions.variables[value["ordinal"]] = self._code.name(value["name"])
+        self._reject_lost_values()
         self._statements(self._function["statements"], is_outermost=True)
         self._results()
         code = self._code.lines
@@ -75,6 +76,26 @@ class _FunctionWriter:
         unused = [f"(void){name};" for name in parameters if not re.search(rf"\b{name}\b", body)]
         lines = [f"    {line}" for line in (*unused, *code)]
         return "\n".join([self._head(list(parameters.values())), "{", *lines, "}", ""])
+
+    def _reject_lost_values(self) -> None:
+        """Raise an error if something reads a number that rumoca has put in the place of an earlier value.
+
+        It does so where a loop assigns a variable, even if the loop does not come first.
+        """
+        for number in sorted(self._live):
+            earlier: int | None = number
+            while earlier is not None and self._is_made_up(earlier):
+                earlier = self._definitions[earlier]["previous_target_definition"]
+            if earlier not in (None, number):
+                name = self._function["values"][self._definitions[number]["target"]]["name"]
+                advice = f"assign its first value in a statement, not in the declaration of {name}"
+                raise self._dae.unsupported(f"reading {name} before a loop that assigns it ({advice})")
+
+    def _is_made_up(self, number: int) -> bool:
+        """Return whether the value of a definition is a number of which the source has no trace."""
+        definition = self._definitions[number]
+        is_generated = definition["provenance"]["origin"] == {"generated": "function_aggregate_lowering"}
+        return is_generated and not reads(self._dae.by_id, [definition["rhs"]])
 
     def _head(self, parameters: Sequence[str]) -> str:
         if self._signature.returns_value:

@@ -9,7 +9,9 @@
   `records` and `called_functions`;
 - comparisons: `agreement`, of a text (`residuals`, `clause_values`) with rumoca's tree (`compiled_values`),
   for `values`, `equations`, `clauses` and `function_bodies`; `variables`, `connections` and `packages` by
-  names; `captures` and `invalid` for what the others cannot see.
+  names; `captures` and `invalid` for what the others cannot see;
+- results: `carried_out` (functions), `moments` (the values of an FMU), `results`, the second entrance, which
+  finds whatever goes wrong after all of these.
 
 `UnknownError` means "not known" everywhere: no guess is compared.
 """

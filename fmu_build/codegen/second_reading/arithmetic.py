@@ -115,6 +115,18 @@ def results_of(
     return [_Evaluation(names, iterators or {}).result(tree, place) for place in places]
 
 
+def chosen_of(tokens: Tokens, names: Names, iterators: Mapping[str, float]) -> Chosen:
+    """Return a reference, as an assignment has it on its left side, with the values of its subscripts.
+
+    Raises:
+        UnknownError: it is something else, or its subscripts are not known
+    """
+    tree = tree_of(tokens)
+    if not isinstance(tree, Reference):
+        raise UnknownError
+    return _Evaluation(names, iterators).chosen(tree)
+
+
 class _Evaluation:
     def __init__(self, names: Names, iterators: Mapping[str, float], dimension: int | None = None) -> None:
         self._names = names
@@ -169,7 +181,7 @@ class _Evaluation:
     def _is_random(self, tree: Expression) -> bool:
         if isinstance(tree, Reference):
             is_iterator = tree.name in self._iterators
-            return not is_iterator and self._names.is_random(self._chosen(tree))
+            return not is_iterator and self._names.is_random(self.chosen(tree))
         if isinstance(tree, Comprehension):
             return self._is_random_for(tree.body, tree.iterators)
         if isinstance(tree, Call) and tree.name == "size":
@@ -189,9 +201,10 @@ class _Evaluation:
     def _reference(self, tree: Reference) -> Value:
         if tree.name in self._iterators and not tree.parts[0].subscripts:
             return as_value(self._iterators[tree.name])
-        return self._names.value(self._chosen(tree))
+        return self._names.value(self.chosen(tree))
 
-    def _chosen(self, tree: Reference) -> Chosen:
+    def chosen(self, tree: Reference) -> Chosen:
+        """Return a reference with the values of its subscripts."""
         found: list[tuple[str, Sequence[Value | None]]] = []
         for part in tree.parts:
             subscripts = [
@@ -214,7 +227,7 @@ class _Evaluation:
             variable = tree.arguments[0] if len(tree.arguments) == 1 else None
             if not isinstance(variable, Reference):
                 raise UnknownError
-            return self._names.applied(tree.name, self._chosen(variable))
+            return self._names.applied(tree.name, self.chosen(variable))
         if tree.name == "size":
             return self._size(tree)
         rounded = smooth(tree.name, self._arguments(tree)) if self._is_smooth(tree) else None
@@ -237,7 +250,7 @@ class _Evaluation:
             raise UnknownError
         array, *dimension = tree.arguments
         if isinstance(array, Reference) and not array.parts[-1].subscripts:
-            sizes = self._names.sizes(self._chosen(array))
+            sizes = self._names.sizes(self.chosen(array))
         else:
             sizes = self.of(array).shape
         if not dimension:

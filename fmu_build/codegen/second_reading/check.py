@@ -98,6 +98,10 @@ def _differences(
     for difference, span in mistaken_functions(model, instances, unknown, in_functions):
         yield f"{difference}: the compiler has misread the function; write it another way", span
     yield from _of_unknown(model, instances, [*unknown, *unknown_declarations(instances)], in_functions)
+    for text in (*unknown, *in_functions):
+        if text.is_changed:
+            why = "a name in it depends on a redeclaration or on modifiers of a class"
+            yield f"{_described(text)} cannot be checked, because {why}", _place(model, text.scope.around)
     for what, around in instances.unknown:
         yield f"{what} cannot be checked; declare a class of its own for the component", _place(model, around)
     for difference in mistaken_variables(model, instances):

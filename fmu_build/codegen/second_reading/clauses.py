@@ -6,6 +6,7 @@ All conditions, variables and values in them must have the same values at random
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, TypeAlias
 
 from fmu_build.codegen.compiled import Span, expressions
@@ -83,8 +84,9 @@ class _Clauses:
             try:
                 for inner in self._chosen(one):
                     yield from self._that_hold(section, inner)
-            except UnknownError:
-                self._unknown.append(Text(self._scope, section.between(one.start, one.end)))
+            except UnknownError as error:
+                tokens = section.between(one.start, one.end)
+                self._unknown.append(Text(self._scope, tokens, error.is_of_change))
 
     def _chosen(self, one: Branches | Loop) -> Sequence[Statement]:
         """Return the branch that holds; raises `UnknownError` for a loop, or if no parameter decides."""
@@ -142,8 +144,8 @@ class _Clauses:
         try:
             if not candidates or any(not self._differ(inner, trees) for trees in candidates):
                 return
-        except UnknownError:
-            self._unknown.append(text)
+        except UnknownError as error:
+            self._unknown.append(replace(text, is_changed=error.is_of_change))
             if len(candidates) == 1:
                 yield from self._by_names(candidates[0])
             return

@@ -154,19 +154,20 @@ class _Comparison:
         self, section: Section, one: Equation | Branches | Loop, unknown: list[Text]
     ) -> Iterator[Difference]:
         compiled = [each for found in self._between(one.start, one.end) for each in found.residuals]
-        text = Text(self._scope, section.between(one.start, one.end))
+        tokens = section.between(one.start, one.end)
         try:
             if not Residuals(self._model, self._instances, self._scope, compiled).differ(one):
                 return
-        except UnknownError:
-            unknown.append(text)
+        except UnknownError as error:
+            unknown.append(Text(self._scope, tokens, error.is_of_change))
             yield from self._by_names(one.start, one.end)
             return
+        text = Text(self._scope, tokens)
         specific = [*self._by_names(one.start, one.end), *self._captured(text, one)]
         yield from specific
         if not specific:
             where = f" of {self._scope.path}" if self._scope.path else ""
-            what = as_written(text.tokens).removesuffix(";")
+            what = as_written(tokens).removesuffix(";")
             fate = "differs in the compiler's reading" if compiled else "is lost"
             yield f"the equation {what}{where} {fate}", self._span(one.start, one.end)
 

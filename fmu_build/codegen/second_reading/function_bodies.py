@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 
 from fmu_build.codegen.compiled import Span, expressions
@@ -55,8 +56,10 @@ def mistaken_functions(
         try:
             if _differs(model, function, variables_of(instances, function), one):
                 yield f"the function {owner.name} differs in the compiler's reading", span
-        except (SyntaxError, UnknownError):
+        except SyntaxError:
             in_functions.append(text)
+        except UnknownError as error:
+            in_functions.append(replace(text, is_changed=error.is_of_change))
 
 
 def _callers(model: LoweredModel, library: Library) -> dict[str, Class]:

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from fmu_build.codegen.second_reading.givens import Given, Scope
 from fmu_build.codegen.second_reading.lookup import Lookup
-from fmu_build.codegen.second_reading.operations import UnknownError, is_built_in
+from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError, is_built_in
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.syntax import Class, Component, Modifier, Tokens
 
@@ -93,7 +93,7 @@ def function_of(library: Library, lookup: Lookup, name: str, scope: Scope) -> Fu
         # Nothing redeclares what is in a known package, as a component may do for a model.
         return plain_function(library, library.element(around, name), around)
     if not other.type or other.type_scope is None:
-        raise UnknownError
+        raise ChangedError
     found = function_of(library, lookup, other.type, other.type_scope)
     declared = library.declaration(scope.around, name)
     constraint = declared.constraint if declared is not None else None
@@ -104,7 +104,7 @@ def function_of(library: Library, lookup: Lookup, name: str, scope: Scope) -> Fu
 
 def _around(given: Given) -> Class:
     if given.scope is None or not given.value or given.inner:
-        raise UnknownError
+        raise ChangedError
     return given.scope.around
 
 
@@ -115,6 +115,8 @@ def plain_function(library: Library, found: Class | None, package: Class | None)
         raise UnknownError
     if declared.around is None or id(declared.around) not in library.changed:
         return Function(library, declared, None, given)
+    if package is None:
+        raise ChangedError
     heir, given_to_heir = _declared(library, package)
     return Function(library, declared, package if given_to_heir else heir, given)
 
@@ -135,5 +137,5 @@ def _declared(library: Library, found: Class | None) -> tuple[Class, Defaults]:
 
 def _values(modifier: Modifier, around: Class) -> Defaults:
     if any(one.inner or one.redeclares or one.type for one in modifier.inner.values()):
-        raise UnknownError
+        raise ChangedError
     return {name: (around, one.value) for name, one in modifier.inner.items()}

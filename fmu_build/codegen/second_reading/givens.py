@@ -35,10 +35,11 @@ class Scope:
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """Tokens in a scope."""
+    """Tokens in a scope, perhaps with a name that redeclarations or heirs may give another meaning."""
 
     scope: Scope
     tokens: Tokens
+    is_changed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -84,23 +84,23 @@ class Lookup:
     def _of_redeclaration(self, name: str, other: Given, scope: Scope) -> Class:
         """Return the class that a component is given for one of this name, perhaps with modifiers.
 
-        Those of the constraining clause hold, too (section 7.3.2).
+        Those of the constraining clause hold, too (section 7.3.2). Raises `ChangedError` if it is not known.
         """
         if not other.type or other.type_scope is None:
-            raise UnknownError
+            raise ChangedError
         found = self.class_in(other.type.split("."), other.type_scope)
         declared = self._library.declaration(scope.around, name)
         constraint = declared.constraint if declared is not None else None
         inner = {**(constraint.inner if constraint is not None else {})}
         if any(one.inner or _has_names(one) for one in inner.values()):
-            raise UnknownError
+            raise ChangedError
         inner |= _modifiers(other, other.type_scope)
         if not inner:
             return found
         key = (scope.path, id(scope.around), name)
         short = self._short(key, found.kind, other.type_scope.around, other.type, inner)
         if self._library.base(short, other.type) is not found:
-            raise UnknownError
+            raise ChangedError
         return short
 
     def _with_constraint(self, own: Class) -> Class:
@@ -109,7 +109,7 @@ class Lookup:
         if is_component or own.constraint is None or not own.constraint.inner:
             return own
         if not own.is_short or own.around is None:
-            raise UnknownError
+            raise ChangedError
         ((base, modifier),) = own.bases
         inner = {**own.constraint.inner, **modifier.inner}
         return self._short(("", id(own), own.name), own.kind, own.around, base, inner)
@@ -174,9 +174,9 @@ class Lookup:
 
 
 def _modifiers(given: Given, scope: Scope) -> dict[str, Modifier]:
-    """Return what a redeclaration in a scope gives; raises `UnknownError` if others give some of it."""
+    """Return what a redeclaration in a scope gives; raises `ChangedError` if others give some of it."""
     if any(one.scope != scope or one.type or one.redeclares for one in given.inner.values()):
-        raise UnknownError
+        raise ChangedError
     return {
         name: Modifier(value=one.value, inner=_modifiers(one, scope), final=one.final)
         for name, one in given.inner.items()

@@ -19,9 +19,14 @@ MOST_ELEMENTS: Final = 10_000
 class UnknownError(Exception):
     """The second reading does not know a value."""
 
+    is_of_change = False
+    """Whether that is because of a redeclaration, or of heirs of a package."""
+
 
 class ChangedError(UnknownError):
-    """Heirs of a package may have other values or classes."""
+    """Redeclarations or heirs of a package may give other values or classes."""
+
+    is_of_change = True
 
 
 def scalar(value: Value) -> float:

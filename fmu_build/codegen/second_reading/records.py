@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fmu_build.codegen.second_reading.gathered import flattened, leaves_in
 from fmu_build.codegen.second_reading.givens import Scope, joined
 from fmu_build.codegen.second_reading.known_variables import Variables
-from fmu_build.codegen.second_reading.operations import UnknownError, Value
+from fmu_build.codegen.second_reading.operations import ChangedError, UnknownError, Value
 from fmu_build.codegen.second_reading.record_values import argument_names
 from fmu_build.codegen.second_reading.syntax import Class
 
@@ -61,7 +61,7 @@ def constructor(instances: Variables, found: Class, package: Class | None) -> Co
     if declared.kind != "record":
         return None
     if is_changed and package is None:
-        raise UnknownError
+        raise ChangedError
     variables = instances.of_class(found, package if is_changed else None)
     final = {name for name, leaf in variables.leaves.items() if leaf.given.final}
     return Constructor(variables, [one for one in argument_names(library, declared) if one not in final])

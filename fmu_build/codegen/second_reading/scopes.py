@@ -270,8 +270,10 @@ class Library:
 
 
 def _certain(found: Class | None) -> Class:
-    if found is None or "replaceable" in found.prefixes:
+    if found is None:
         raise UnknownError
+    if "replaceable" in found.prefixes:
+        raise ChangedError
     return found
 
 

@@ -21,6 +21,7 @@ from fmu_build.codegen.second_reading.known_variables import Leaf, Variables
 from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.residuals import value_differs
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
+from fmu_build.codegen.start_values import StartValues
 
 _ROUNDING: Final = 1e-9
 _ZERO: Final = Given(("0",))
@@ -34,12 +35,13 @@ def mistaken_values(
 
     The texts of equations that cannot be computed are added to `unknown`.
     """
+    starts = StartValues(model)
     for variable in model.dae["variables"]:
         name = variable["name"]
         leaf = instances.leaves.get(name)
         if leaf is not None:
             for difference in (
-                *_differences(instances, leaf, variable),
+                *_differences(instances, starts, leaf, variable),
                 *_in_attributes(model, instances, name, unknown),
                 *_in_equation(model, instances, name, unknown),
             ):
@@ -47,7 +49,9 @@ def mistaken_values(
                 yield f"{difference}: {why} with this name", variable["declaration"]["span"]
 
 
-def _differences(instances: Variables, leaf: Leaf, variable: dict[str, Any]) -> Iterator[str]:
+def _differences(
+    instances: Variables, starts: StartValues, leaf: Leaf, variable: dict[str, Any]
+) -> Iterator[str]:
     """Yield the values and attributes whose numbers, in the stage after the flat model, differ."""
     attributes, inner = variable["attributes"], leaf.given.inner
     is_given = leaf.is_constant and bool(leaf.given.value)
@@ -59,9 +63,11 @@ def _differences(instances: Variables, leaf: Leaf, variable: dict[str, Any]) -> 
             compared.append(("start value", _ZERO, place))
     for what, given, place in compared:
         found = attributes[f"{place}_values"]
+        if not found and place in ("binding", "start") and attributes[place] is not None:
+            found = [starts.given(variable, place, number) for number in range(len(variable["scalar_names"]))]
         with suppress(UnknownError):
             meant = [*instances.value(given).flat]
-            if found and len(meant) in (1, len(found)):
+            if found and None not in found and len(meant) in (1, len(found)):
                 pairs = zip(found, meant if len(meant) > 1 else meant * len(found), strict=True)
                 yield from (
                     f"the {what} is {a:g} instead of {b:g}"
@@ -89,9 +95,9 @@ def _in_attributes(
         try:
             if value_differs(model, instances, given, leaf.sizes, tree):
                 yield f"the {attribute} value {as_written(given.value)} differs in the compiler's reading"
-        except UnknownError:
+        except UnknownError as error:
             if given.scope is not None:
-                unknown.append(Text(given.scope, given.value))
+                unknown.append(Text(given.scope, given.value, error.is_of_change))
 
 
 def _in_equation(model: LoweredModel, instances: Variables, name: str, unknown: list[Text]) -> Iterator[str]:
@@ -108,9 +114,9 @@ def _in_equation(model: LoweredModel, instances: Variables, name: str, unknown: 
         return
     try:
         differs = value_differs(model, instances, given, leaf.sizes, binding)
-    except UnknownError:
+    except UnknownError as error:
         if given.scope is not None:
-            unknown.append(Text(given.scope, given.value))
+            unknown.append(Text(given.scope, given.value, error.is_of_change))
         if not leaf.is_constant:
             yield from _in_text(model, instances, given, binding)
         return

@@ -2,6 +2,7 @@
 #include "block.h"
 #include "evaluation.h"
 #include "extremes.h"
+#include "time_events.h"
 #include "variables.h"
 
 #include <float.h>
@@ -18,17 +19,12 @@ enum { MAX_CROWD = 1000 };
 #endif
 enum { PARTS = 1000 };
 
-/* Times closer together than this, relative to the time or to a second, are practically equal: importers add up step
- * sizes, so that rounding moves their points away from the intended times. */
-static const double relative_instant = 1e-12;
-
-/* The width of a crowd of events, in multiples of relative_instant; an event is located to about a thousandth of
- * that. */
+/* The width of a crowd of events, in instants; an event is located to about a thousandth of that. */
 static const double crowd_width = 100.0;
 
-static double instant_at(double time)
+double cosimulation_instant(double time)
 {
-    return relative_instant * larger(1.0, fabs(time));
+    return instant_at(time);
 }
 
 bool cosimulation_is_before(double time, double other)

@@ -7,6 +7,9 @@
 
 #include "instance.h"
 
+/* Returns by how much times at `time` differ at most that are practically equal. */
+double cosimulation_instant(double time);
+
 /* Returns whether `time` is before `other` by more than rounding. */
 bool cosimulation_is_before(double time, double other);
 

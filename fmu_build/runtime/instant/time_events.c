@@ -1,15 +1,25 @@
 #include "time_events.h"
 #include "events.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* Relative to the time, or to a second. */
-static const double time_resolution = 1e-12;
+/* Relative to the time, but to no less than a second and no more than some hours. */
+static const double relative_instant = 1e-12, shortest = 1.0, longest = 1e4;
+
+/* In spacings of numbers at a late time, as of a clock that began in 1970. */
+static const double spacings = 16.0;
+
+double instant_at(double time)
+{
+    const double scale = fmin(fmax(shortest, fabs(time)), longest);
+    return fmax(relative_instant * scale, spacings * DBL_EPSILON * fabs(time));
+}
 
 double time_just_after(double time)
 {
-    return time + time_resolution * fmax(1.0, fabs(time));
+    return time + instant_at(time);
 }
 
 static double tick_time(const Values *values, size_t i, double number)

@@ -4,6 +4,10 @@
 
 #include "values.h"
 
+/* Returns by how much times that are practically equal differ at most: importers add up step sizes, so that rounding
+ * moves their points away from the intended times. */
+double instant_at(double time);
+
 /* Returns a time just after a time event at `time`, at which both "time > t" and "time >= t" are true even if the
  * importer's own time, a sum of step sizes, is too small by a rounding error. */
 double time_just_after(double time);

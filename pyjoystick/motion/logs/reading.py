@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import TIME, Column, Match
-from pyjoystick.motion.logs.headings import candidates, last_part, meaning
+from pyjoystick.motion.logs.clocks import counted_times, other_clocks
+from pyjoystick.motion.logs.headings import last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
@@ -100,7 +101,8 @@ def read_log(
             reason = f"has no quantity {name!r} with a scale"
             raise RecordError(str(path), reason, "known are theta, omega, T and F")
     found = table.find(wanted, headings=columns, units=units, scales=scales, override=True)
-    series = {} if rate is None else {"time": _places(table) / rate}
+    times, counted = (None, ()) if rate is None else counted_times(table, rate)
+    series = {} if times is None else {"time": times}
     for name, match in found.items():
         zero = scales[name].zero * scales[name].factor if scales and name in scales else 0.0
         series[name] = table.file.numbers(table.heading(match)) * match.factor - zero
@@ -123,18 +125,13 @@ def read_log(
         left_out=left_out,
         notes=(
             *_notes(table, found, left_out),
-            *_replaced_times(table, rate),
+            *counted,
+            *other_clocks(table, found),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
         ),
     )
     require_no_jump(record_of(log))  # both reject impossible motions
     return log
-
-
-def _places(table: LogTable) -> NDArray[np.int64]:
-    """Place of each row of the table, from 0; an empty line is a sample that was lost."""
-    rows = table.file.rows
-    return np.arange(len(rows)) + np.searchsorted(np.array(table.file.empty, dtype=np.int64), rows)
 
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:
@@ -179,12 +176,6 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
             yield f"{heading.text!r} is left alone: --column and --unit say what it is"
     if left_out.size:
         yield f"{len(left_out)} rows without a number are left out: {rows_in_words(left_out)}"
-
-
-def _replaced_times(table: LogTable, rate: float | None) -> Iterator[str]:
-    """Note that a column of times is not used."""
-    for heading in candidates(TIME, table.file.head.headings) if rate is not None else ():
-        yield f"{heading.text!r} is left alone: the samples are {rate:g} per second, as given"
 
 
 def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:

@@ -126,7 +126,7 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
         names = [name for name, one in _DELIMITERS.items() if one in {table.delimiter for table in found}]
         advice = f"say which: --delimiter {' or --delimiter '.join(names)}"
         raise RecordError(str(path), f"may be separated by {' or '.join(names)}", advice)
-    if found and found[0].doubtful and not layout.decimal and found[0].delimiter != found[0].decimal:
+    if found and found[0].doubtful and not layout.decimal:
         _require_certain(path, found[0])
     return (found[0] if found else None), comments
 

@@ -70,6 +70,7 @@ REFUSALS = (
     Refusal("InputDerivative", UnsupportedModelError, r"der\(u\)"),
     Refusal("LeftOut", UnsupportedModelError, r"first result"),
     Refusal("LocalRecord", UnsupportedModelError, r"the record r in function"),
+    Refusal("LoopWithDefault", UnsupportedModelError, r"reading t before a loop that assigns it"),
     Refusal("LostConstraint", UnsupportedModelError, r"1 instead of 4: .* part\.k"),
     Refusal("LeakingModifier", UnsupportedModelError, r"7 instead of 3: .* outer1\.inside\.gain\.k"),
     Refusal("LeakingStart", UnsupportedModelError, r"the start value is 400 instead of 300: .* body\.rod\.T"),

@@ -53,6 +53,18 @@ def test_the_run_may_start_late_and_have_unequal_steps(joystick: Fmu) -> None:
     assert np.abs(table["theta"] - expected).max() < 1e-7
 
 
+@pytest.mark.parametrize(("start", "error"), [(1e5, 1e-8), (1e7, 1e-6), (1.6e9, 1e-4)])
+@pytest.mark.parametrize("step", [1.0 / 64.0, 1e-3])
+def test_the_clock_may_show_any_time(joystick: Fmu, start: float, error: float, step: float) -> None:
+    """Events beside communication points; errors are rounding of the events' times, 2.4e-7 s at 1.6e9 s."""
+    time = np.arange(0.0, 1.0, step)
+    for angle in (-0.35, -0.3, -0.2, -0.1):
+        settings = {"parameters": {"theta_start": angle}, "outputs": ["theta"]}
+        expected = joystick.run(time, **settings)["theta"]
+        found = joystick.run(start + time, **settings)["theta"]
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=error)
+
+
 def test_outputs_are_the_named_variables_in_their_order(joystick: Fmu) -> None:
     names = ["omega", "forward.returnSpring.isEngaged", "theta", "m"]
     table = joystick.run(TIME, outputs=[*names, "omega"], parameters=RELEASE)

@@ -198,3 +198,21 @@ def test_times_at_which_steps_are_rounded_are_refused(joystick_path: Path) -> No
         ParameterError, match=r"time = up to 1000001 s: must be nearer to 0 for Model Exchange"
     ):
         run_model_exchange(joystick_path, 1e6 + 0.001 * np.arange(1001))
+
+
+@pytest.mark.parametrize("start", [0.0, 1e3, 1e4])
+@pytest.mark.parametrize("at", [0.1, 0.1234])
+def test_a_jump_late_in_time(joystick_path: Path, start: float, at: float) -> None:
+    """FMPy takes times for equal that differ by 1e-9 of the time: it would apply the jump too early."""
+    table = pd.DataFrame({"T": [0.5, 0.5, -1.0, -1.0]}, index=[start, start + at, start + at, start + 1.0])
+    time = start + np.linspace(0.0, 0.3, 301)
+    settings = {"parameters": {"theta_start": -0.3}, "inputs": table, "outputs": ["theta"]}
+    exchange = run_model_exchange(joystick_path, time, **settings)
+    with Fmu(joystick_path) as fmu:
+        np.testing.assert_allclose(exchange["theta"], fmu.run(time, **settings)["theta"], rtol=0, atol=1e-8)
+
+
+def test_an_event_that_fmpy_takes_for_a_sample_is_refused(joystick_path: Path) -> None:
+    """Its sample would belong to another time: here it is off by 5e-4 rad."""
+    with pytest.raises(SimulationError, match=r"recorded the event at 100000\.06.* times nearer to 0"):
+        run_model_exchange(joystick_path, 1e5 + np.linspace(0.0, 0.3, 301), parameters={"theta_start": -0.3})

@@ -613,3 +613,47 @@ def test_a_quantity_in_a_structure_is_noted(heading: str, tmp_path: Path) -> Non
     path = tmp_path / "log.csv"
     path.write_text(text(("time (s)", heading), TIME, np.radians(ANGLE)), "utf-8")
     assert f"{heading!r} is read as theta" in read_log(path).notes
+
+
+def test_quoted_thousands_between_commas_are_refused(tmp_path: Path) -> None:
+    rows = ["0,20,000", "10,18,542", "20,-6,427", "30,687"]
+    quoted = "".join('"{}","{}"\n'.format(*row.split(",", 1)) for row in rows)
+    path = written(tmp_path / "log.csv", f"time (ms),angle (mdeg)\n{quoted}")
+    with pytest.raises(RecordError, match=r"row 2: may be a decimal mark or separate thousands .*'20,000'"):
+        read_log(path)
+
+
+@pytest.mark.parametrize("heading", ["Frame", "Sample", "Nr."])
+def test_numbers_of_samples_that_are_skipped_take_their_time(heading: str, tmp_path: Path) -> None:
+    numbers = np.delete(np.arange(1, COUNT + 1), [6, 7, 20])
+    angle = np.delete(ANGLE, [6, 7, 20])
+    log = read_log(written(tmp_path / "log.csv", text((heading, "angle (deg)"), numbers, angle)), rate=250.0)
+    np.testing.assert_allclose(log.series["time"], (numbers - 1) / 250.0, rtol=0, atol=1e-12)
+    assert f"{heading!r} skips 3 samples, which the times follow" in log.notes
+
+
+def test_numbers_of_samples_in_larger_steps_are_noted(tmp_path: Path) -> None:
+    path = written(tmp_path / "log.csv", text(("Frame", "angle (deg)"), 2 * np.arange(COUNT), ANGLE))
+    log = read_log(path, rate=250.0)
+    np.testing.assert_allclose(log.series["time"], np.arange(COUNT) / 250.0, rtol=0, atol=1e-12)
+    assert "'Frame' counts in steps of 2; the rows are 250 per second" in log.notes
+
+
+def test_numbers_of_samples_that_do_not_fit_are_refused(tmp_path: Path) -> None:
+    numbers = 2 * np.arange(COUNT)
+    numbers[10:] += 1
+    path = written(tmp_path / "log.csv", text(("Frame", "angle (deg)"), numbers, ANGLE))
+    with pytest.raises(RecordError, match=r"'Frame', row 12: counts in steps of 2, but once by 3"):
+        read_log(path, rate=250.0)
+
+
+@pytest.mark.parametrize(("delay", "notes"), [(0.1, 1), (0.0, 0)])
+def test_a_quantity_with_another_clock_is_noted(delay: float, notes: int, tmp_path: Path) -> None:
+    headings = ("X_Value", "Angle (deg)", "X_Value", "Torque (N.m)")
+    path = written(tmp_path / "log.csv", text(headings, TIME, ANGLE, TIME + delay, TORQUE))
+    log = read_log(path, columns={"time": "X_Value #1"}, units={"time": "s"})
+    found = [note for note in log.notes if "another clock" in note]
+    assert len(found) == notes
+    for note in found:
+        behind = "'Torque (N.m)' stands behind 'X_Value #3', another clock"
+        assert note == f"{behind}, but is read at the times of 'X_Value #1'"

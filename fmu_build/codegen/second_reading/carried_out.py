@@ -1,0 +1,248 @@
+"""Carry out the algorithms of functions, as the source gives them, for values of their inputs.
+
+What `points` compares are expressions; this computes results, of assignments, branches, loops and calls.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+
+from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, chosen_of, results_of, value_of
+from fmu_build.codegen.second_reading.called_functions import all_arguments, variables_of
+from fmu_build.codegen.second_reading.functions import Function, function_of
+from fmu_build.codegen.second_reading.gathered import flattened, indexed, leaves_in
+from fmu_build.codegen.second_reading.givens import Scope, nowhere
+from fmu_build.codegen.second_reading.known_variables import Variables
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, called, scalar, whole
+from fmu_build.codegen.second_reading.records import constructor_of
+from fmu_build.codegen.second_reading.sections import Branches, Call, Equation, Loop, Statement, statements
+from fmu_build.codegen.second_reading.syntax import Class, Tokens
+
+_MOST_STATEMENTS: Final = 10_000
+_DEEPEST: Final = 50
+
+
+class _ReturnError(Exception):
+    """The function has come to a ``return``."""
+
+
+def result_of_call(
+    variables: Variables,
+    scope: Scope,
+    name: str,
+    arguments: Sequence[Value],
+    named: Mapping[str, Value],
+    place: int,
+    depth: int = 0,
+) -> Value | None:
+    """Return the result in a place of the function or constructor that a name means; None for a built-in one.
+
+    Raises `UnknownError` if it is not known.
+    """
+    if name == "Integer" or not variables.library.is_class(name, scope.around):
+        return None
+    record = _constructed(variables, scope, name, arguments, named)
+    if record is not None:
+        return record
+    function = function_of(variables.library, variables.lookup, name, scope)
+    if function.declared is scope.around and function.is_built_in:
+        return None
+    if function.is_built_in and not named and not place:
+        return called(function.declared.name, arguments)
+    own = variables_of(variables, function)
+    given = all_arguments(function, own, arguments, named, lambda around: _Locals(own, nowhere(around), {}))
+    found = _Run(function, own, depth + 1).results(given)
+    if place >= len(found):
+        raise UnknownError
+    return found[place]
+
+
+def _constructed(
+    variables: Variables, scope: Scope, name: str, arguments: Sequence[Value], named: Mapping[str, Value]
+) -> Value | None:
+    """Return the record that a constructor makes of values for all members; None for other functions."""
+    try:
+        constructor = constructor_of(variables, name, scope)
+    except UnknownError:
+        return None
+    if constructor is None:
+        return None
+    given = constructor.given(arguments, named)
+    leaves = [*leaves_in(constructor.variables, "")]
+    if not given.keys() >= {*leaves}:
+        raise UnknownError
+    return flattened(given[leaf] for leaf in leaves)
+
+
+@dataclass(frozen=True, slots=True)
+class _Locals:
+    """What names mean in a function: its variables with their present values, and constants."""
+
+    variables: Variables
+    scope: Scope
+    values: Mapping[str, Value]
+    depth: int = 0
+    is_smooth: bool = False
+
+    def is_random(self, reference: Chosen) -> bool:
+        del reference
+        return False
+
+    def value(self, reference: Chosen) -> Value:
+        ((name, subscripts), *further) = reference
+        if name in self.values and not further:
+            return indexed(self.values[name], subscripts)
+        if name in self.variables.order.get("", ()):
+            raise UnknownError  # It has no value yet, or is a record.
+        return self.variables.of_constant(reference, self.scope)
+
+    def sizes(self, reference: Chosen) -> Sequence[int]:
+        return self.value(reference).shape
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        raise UnknownError
+
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        return result_of_call(self.variables, self.scope, name, arguments, named, place, self.depth)
+
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        raise UnknownError
+
+
+@dataclass(slots=True)
+class _Run:
+    """One call of a function."""
+
+    function: Function
+    variables: Variables
+    depth: int
+    values: dict[str, Value] = field(default_factory=dict)
+    count: int = 0
+
+    def results(self, arguments: Sequence[Value]) -> list[Value]:
+        """Return the results for arguments; raises `UnknownError` if they are not known."""
+        sections = [
+            (base, section)
+            for base in self.function.library.lineage(self.function.declared)
+            for section in base.algorithms
+        ]
+        if len(sections) != 1 or self.depth > _DEEPEST:
+            raise UnknownError
+        ((base, section),) = sections
+        self.values |= zip(self.function.inputs, arguments, strict=True)
+        waiting = [name for name in self.variables.order.get("", ()) if name not in self.values]
+        for name in waiting:
+            self._begin(name)
+        try:
+            inner = statements(section)
+            self._carry_out(inner, base, {})
+        except SyntaxError as error:
+            raise UnknownError from error
+        except _ReturnError:
+            pass
+        if not self.values.keys() >= self.function.outputs.keys():
+            raise UnknownError
+        return [self.values[name] for name in self.function.outputs]
+
+    def _begin(self, name: str) -> None:
+        """Give a result or local the value of its declaration, or NaN for an array without one."""
+        leaf = self.variables.leaves.get(name)
+        if leaf is None:
+            return  # a record, of which nothing is known
+        if leaf.given.value:
+            names = self._names((leaf.given.scope or self.variables.nowhere).around)
+            self.values[name] = leaf.given.chosen(value_of(leaf.given.value, names))
+            if not self.values[name].ndim and self.variables.dimensions[name]:
+                raise UnknownError
+        elif self.variables.dimensions[name]:
+            sizes = [
+                whole(value_of(tokens, self._names(scope.around)))
+                for tokens, scope in self.variables.dimensions[name]
+                if tokens != (":",)
+            ]
+            if len(sizes) == len(self.variables.dimensions[name]) and math.prod(sizes) <= _MOST_STATEMENTS:
+                self.values[name] = np.full(sizes, np.nan)
+
+    def _names(self, around: Class) -> Names:
+        return _Locals(self.variables, nowhere(around), self.values, self.depth)
+
+    def _carry_out(self, inner: Sequence[Statement], base: Class, iterators: Mapping[str, float]) -> None:
+        for one in inner:
+            self.count += 1
+            if self.count > _MOST_STATEMENTS:
+                raise UnknownError
+            match one:
+                case Equation():
+                    self._assign(one, base, iterators)
+                case Branches():
+                    self._carry_out(self._chosen(one, base, iterators), base, iterators)
+                case Loop():
+                    self._repeat(one.iterators, one.body, base, iterators)
+                case Call(name="return"):
+                    raise _ReturnError
+                case Call(name="assert"):
+                    pass
+                case _:
+                    raise UnknownError
+
+    def _chosen(self, one: Branches, base: Class, iterators: Mapping[str, float]) -> Sequence[Statement]:
+        for condition, body in one.branches:
+            if not condition or scalar(value_of(condition, self._names(base), iterators)):
+                return body
+        return ()
+
+    def _repeat(
+        self,
+        ranges: Sequence[tuple[str, Tokens]],
+        body: Sequence[Statement],
+        base: Class,
+        iterators: Mapping[str, float],
+    ) -> None:
+        if not ranges:
+            self._carry_out(body, base, iterators)
+            return
+        (name, numbers), *inner = ranges
+        for number in value_of(numbers, self._names(base), iterators).flat:
+            self._repeat(inner, body, base, {**iterators, name: float(number)})
+
+    def _assign(self, one: Equation, base: Class, iterators: Mapping[str, float]) -> None:
+        names, targets = self._names(base), one.results
+        if targets:
+            values = results_of(one.right, targets, names, iterators)
+        else:
+            values = [value_of(one.right, names, iterators)]
+        for target, value in zip(targets.values() or (one.left,), values, strict=True):
+            ((name, subscripts), *further) = chosen_of(target, names, iterators)
+            if further or name not in self.variables.leaves or name in self.function.inputs:
+                raise UnknownError
+            if not subscripts:
+                self.values[name] = as_value(value)
+            elif name in self.values:
+                self.values[name] = _replaced(self.values[name], subscripts, value)
+            else:
+                raise UnknownError
+
+
+def _replaced(array: Value, subscripts: Sequence[Value | None], value: Value) -> Value:
+    """Return an array with a value in the place of the elements that subscripts choose."""
+    if len(subscripts) != array.ndim:
+        raise UnknownError
+    places = [
+        np.arange(size) if one is None else np.atleast_1d(one).astype(int) - 1
+        for one, size in zip(subscripts, array.shape, strict=True)
+    ]
+    if any(((one < 0) | (one >= size)).any() for one, size in zip(places, array.shape, strict=True)):
+        raise UnknownError
+    found = array.copy()
+    shape = [len(one) for one in places]
+    if value.ndim and value.size != math.prod(shape):
+        raise UnknownError
+    found[np.ix_(*places)] = value.reshape(shape) if value.ndim else value
+    return found

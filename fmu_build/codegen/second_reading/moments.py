@@ -1,0 +1,109 @@
+"""The values of all variables of an FMU at one time, and what names in the source mean with them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from fmu_build.codegen.second_reading.arithmetic import Chosen, Names
+from fmu_build.codegen.second_reading.carried_out import result_of_call
+from fmu_build.codegen.second_reading.gathered import gathered
+from fmu_build.codegen.second_reading.givens import Scope
+from fmu_build.codegen.second_reading.known_variables import Variables
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
+
+#: Operators that depend on more than the present values.
+_OF_EVENTS: Final = frozenset(("delay", "initial", "sample", "semiLinear", "terminal"))
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """The variables of a model at one time.
+
+    Attributes:
+        instances: what the source says of the variables
+        time: the time
+        values: by the names of FMI, with those of derivatives, as ``der(a.x[2])``
+    """
+
+    instances: Variables
+    time: float
+    values: Mapping[str, float]
+
+    def of(self, path: str, operator: str = "") -> Value:
+        """Return the value of a variable; raises `UnknownError` if the FMU does not show it."""
+        leaf = self.instances.leaves[path]
+        names = [f"{operator}({one})" if operator else one for one in scalars(path, leaf.sizes)]
+        if all(one in self.values for one in names):
+            return as_value([self.values[one] for one in names]).reshape(leaf.sizes)
+        if operator or not leaf.is_constant:
+            raise UnknownError
+        return self.instances.known(path)
+
+    def disturbed(self, scales: Mapping[str, float], number: int) -> Moment:
+        """Return a moment at which variables with scales, and the time, differ by random parts of them."""
+        random = np.random.default_rng(number).uniform(-1.0, 1.0, len(scales))
+        changes = zip(scales.items(), random, strict=True)
+        before = {"time": self.time, **self.values}
+        changed = {name: before[name] + scale * float(one) for (name, scale), one in changes}
+        return Moment(self.instances, changed.get("time", self.time), {**self.values, **changed})
+
+
+def scalars(path: str, sizes: Sequence[int]) -> Iterator[str]:
+    """Yield the names of the elements of a variable, the last subscript first to change."""
+    if not sizes:
+        yield path
+        return
+    if math.prod(sizes) > 0:
+        for places in itertools.product(*(range(1, size + 1) for size in sizes)):
+            yield f"{path}[{','.join(map(str, places))}]"
+
+
+def names_at(moment: Moment, scope: Scope) -> Names:
+    """Return what names mean in a scope at a moment."""
+    return _Names(moment, scope)
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    moment: Moment
+    scope: Scope
+    is_smooth: bool = False
+
+    def is_random(self, reference: Chosen) -> bool:
+        del reference
+        return False
+
+    def value(self, reference: Chosen) -> Value:
+        instances = self.moment.instances
+        path = instances.path_of(reference, self.scope)
+        if path is not None:
+            return gathered(instances, path, reference, self.moment.of)
+        if [name for name, _ in reference] == ["time"]:
+            return as_value(self.moment.time)
+        return instances.of_constant(reference, self.scope)
+
+    def sizes(self, reference: Chosen) -> Sequence[int]:
+        return self.moment.instances.sizes_of(reference, self.scope)
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        instances = self.moment.instances
+        path = instances.path_of(reference, self.scope)
+        if operator != "der" or path is None:
+            raise UnknownError
+        return gathered(instances, path, reference, lambda leaf: self.moment.of(leaf, operator))
+
+    def called(
+        self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int
+    ) -> Value | None:
+        if name in _OF_EVENTS:
+            raise UnknownError
+        return result_of_call(self.moment.instances, self.scope, name, arguments, named, place)
+
+    def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
+        raise UnknownError

@@ -1,0 +1,213 @@
+"""Check that the results of an FMU fulfil the equations of its source.
+
+All other checks compare texts and the compiler's readings of them. This one sees whatever went wrong after
+these: each equation that can be computed is evaluated with the values that the FMU gives at some times.
+"""
+
+from __future__ import annotations
+
+import json
+import zlib
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from typing import Final
+
+import numpy as np
+
+from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
+from fmu_build.codegen.second_reading.connections import Connections
+from fmu_build.codegen.second_reading.givens import Given, Scope, as_written
+from fmu_build.codegen.second_reading.instances import Instances
+from fmu_build.codegen.second_reading.known_variables import Leaf
+from fmu_build.codegen.second_reading.moments import Moment, names_at
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, scalar
+from fmu_build.codegen.second_reading.references import points
+from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
+from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
+from fmu_build.codegen.second_reading.syntax import Section
+
+#: Part of a variable's largest value by which it is disturbed, and the multiple of what this changes in an
+#: equation that counts as its error: 1e-5 of its largest term.
+_DISTURBANCE: Final = 1e-9
+_ALLOWED: Final = 1e4
+_DISTURBED: Final = 4
+_ROUNDING: Final = 1e-9
+
+Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
+"""Pairs of values that must be equal; raises `UnknownError` where they are not known."""
+Row = tuple[float, Mapping[str, float]]
+"""A time, and the values of variables by their names in FMI."""
+
+
+def kept_texts(texts: Sequence[str]) -> bytes:
+    """Return the source texts of a model as `mistaken_results` takes them."""
+    return zlib.compress(json.dumps(texts).encode())
+
+
+def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[str]:
+    """Yield the equations and values of a model's source that the results of its FMU do not fulfil.
+
+    Args:
+        kept: the source texts
+        model: the qualified name of the model
+        rows: the values at some times, of which the first is the start
+    """
+    library = Library(dict(enumerate(json.loads(zlib.decompress(kept)))))
+    try:
+        instances = Instances(library, library.class_of(model))
+    except UnknownError:
+        return
+    moments = [Moment(instances, *row) for row in rows]
+    scales = _scales(moments)
+    disturbed = [[one.disturbed(scales, number) for number in range(_DISTURBED)] for one in moments]
+    for text, residual in _equations(instances):
+        wrong = [
+            time
+            for time, is_wrong in (
+                (one.time, _differs(residual, one, others))
+                for one, others in zip(moments, disturbed, strict=True)
+            )
+            if is_wrong
+        ]
+        # A relation may be in doubt at one time.
+        if len(wrong) > 1 or (wrong and len(moments) == 1):
+            yield f"at time {wrong[0]:g}, the result of the FMU does not fulfil {text}"
+    yield from _other_constants(moments[0])
+
+
+def _scales(moments: Sequence[Moment]) -> dict[str, float]:
+    """Return by how much the Real variables are disturbed, by name, and the time."""
+    leaves = moments[0].instances.leaves.items()
+    reals = {path for path, leaf in leaves if leaf.kind is PREDEFINED["Real"] and not leaf.is_constant}
+    found = {"time": _DISTURBANCE * (max(abs(one.time) for one in moments) or 1.0)}
+    for name in moments[0].values:
+        whole = name.removeprefix("der(").removesuffix(")") if name.startswith("der(") else name
+        if whole in reals or whole.rpartition("[")[0] in reals:
+            largest = max(abs(one.values[name]) for one in moments)
+            found[name] = _DISTURBANCE * (largest or 1.0)
+    return found
+
+
+def _differs(residual: Residual, moment: Moment, disturbed: Sequence[Moment]) -> bool:
+    try:
+        pairs = residual(moment)
+        others = [residual(one) for one in disturbed]
+    except UnknownError:
+        return False
+    for place, (left, right) in enumerate(pairs):
+        if left.shape != right.shape or not all(len(one) == len(pairs) for one in others):
+            return False
+        error = np.abs(left - right)
+        changes = [np.abs((one[place][0] - one[place][1]) - (left - right)) for one in others]
+        if not np.isfinite(error).all() or any(one.shape != error.shape for one in changes):
+            return False
+        allowed = _ALLOWED * np.max(changes, axis=0) + _ROUNDING * (np.abs(left) + np.abs(right))
+        if (error > allowed).any():
+            return True
+    return False
+
+
+def _equations(instances: Instances) -> Iterator[tuple[str, Residual]]:
+    """Yield the equations of declarations, sections and connections, each with its text."""
+    for path, leaf in instances.leaves.items():
+        if leaf.given.value and not leaf.is_constant and leaf.given.scope is not None:
+            text = f"{path} = {as_written(leaf.given.value)}"
+            yield text, _declared(path, leaf, leaf.given)
+    for path, part in instances.parts.items():
+        for owner in part.classes:
+            for section in owner.sections:
+                if not section.is_initial:
+                    yield from _of_section(Scope(path, owner), section)
+    yield from _connected(Connections(instances))
+
+
+def _declared(path: str, leaf: Leaf, given: Given) -> Residual:
+    def pairs(moment: Moment) -> Sequence[tuple[Value, Value]]:
+        scope = given.scope or moment.instances.nowhere
+        meant = given.spread(value_of(given.value, names_at(moment, scope)), leaf.sizes)
+        return [(moment.of(path), meant)]
+
+    return pairs
+
+
+def _of_section(scope: Scope, section: Section) -> Iterator[tuple[str, Residual]]:
+    try:
+        inner = statements(section)
+    except SyntaxError:
+        return
+    for one in inner:
+        if isinstance(one, Equation | Branches | Loop):
+            words = as_written(section.between(one.start, one.end)).removesuffix(";")
+            where = f" of {scope.path}" if scope.path else ""
+            yield f"the equation {words}{where}", _stated(one, scope)
+
+
+def _stated(one: Statement, scope: Scope) -> Residual:
+    return lambda moment: _pairs(one, moment, scope, {})
+
+
+def _pairs(
+    one: Statement, moment: Moment, scope: Scope, iterators: Mapping[str, float]
+) -> list[tuple[Value, Value]]:
+    """Return the sides of the equations that hold; those of clauses and connections are left out."""
+    names = names_at(moment, scope)
+    if isinstance(one, Equation):
+        results = one.results
+        if results:
+            left = [value_of(side, names, iterators) for side in results.values()]
+            return [*zip(left, results_of(one.right, results, names, iterators), strict=True)]
+        return [(value_of(one.left, names, iterators), value_of(one.right, names, iterators))]
+    if isinstance(one, Loop):
+        passes = points(moment.instances, scope, one.iterators, iterators)
+        return [pair for inner in passes for each in one.body for pair in _pairs(each, moment, scope, inner)]
+    if isinstance(one, Branches):
+        for condition, body in one.branches:
+            if not condition or scalar(value_of(condition, names, iterators)):
+                return [pair for each in body for pair in _pairs(each, moment, scope, iterators)]
+    return []
+
+
+def _connected(connections: Connections) -> Iterator[tuple[str, Residual]]:
+    for group in sorted(connections.equal.sets(), key=sorted):
+        names = sorted(group)
+        if len(names) > 1 and all(map(connections.is_known, names)):
+            yield f"the connection of {', '.join(names)}", _equal(names)
+    for flows in sorted(connections.flows(), key=sorted):
+        if all(connections.is_known(name) for name, _ in flows):
+            text = " + ".join(sorted(("-" if sign < 0 else "") + name for name, sign in flows))
+            yield f"the equation {text} = 0 of connections", _zero_sum(sorted(flows))
+
+
+def _equal(names: Sequence[str]) -> Residual:
+    def pairs(moment: Moment) -> Sequence[tuple[Value, Value]]:
+        values = [as_value(moment.values[name]) for name in names if name in moment.values]
+        return [(values[0], one) for one in values[1:]]
+
+    return pairs
+
+
+def _zero_sum(flows: Sequence[tuple[str, int]]) -> Residual:
+    def pairs(moment: Moment) -> Sequence[tuple[Value, Value]]:
+        if any(name not in moment.values for name, _ in flows):
+            raise UnknownError
+        return [(as_value(sum(sign * moment.values[name] for name, sign in flows)), as_value(0.0))]
+
+    return pairs
+
+
+def _other_constants(moment: Moment) -> Iterator[str]:
+    """Yield the parameters and constants that have other values at the start."""
+    instances = moment.instances
+    for path, leaf in instances.leaves.items():
+        if not leaf.is_constant or not leaf.given.value or leaf.kind is PREDEFINED["String"]:
+            continue
+        with suppress(UnknownError):
+            scope = leaf.given.scope or instances.nowhere
+            meant = leaf.given.spread(value_of(leaf.given.value, names_at(moment, scope)), leaf.sizes)
+            found = moment.of(path)
+            if meant.shape == found.shape and not np.allclose(found, meant, rtol=_ROUNDING, atol=0.0):
+                yield f"{path} is {_text(found)} in the FMU, and {_text(meant)} in the source"
+
+
+def _text(value: Value) -> str:
+    return np.array2string(value, separator=", ", threshold=6)
