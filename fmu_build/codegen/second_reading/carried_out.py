@@ -6,8 +6,8 @@ What `points` compares are expressions; this computes results, of assignments, b
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Container, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -21,7 +21,7 @@ from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, called, scalar, whole
 from fmu_build.codegen.second_reading.records import constructor_of
 from fmu_build.codegen.second_reading.sections import Branches, Call, Equation, Loop, Statement, statements
-from fmu_build.codegen.second_reading.syntax import Class, Tokens
+from fmu_build.codegen.second_reading.syntax import Class, Section, Tokens
 
 _MOST_STATEMENTS: Final = 10_000
 _DEEPEST: Final = 50
@@ -56,7 +56,7 @@ def result_of_call(
         return called(function.declared.name, arguments)
     own = variables_of(variables, function)
     given = all_arguments(function, own, arguments, named, lambda around: _Locals(own, nowhere(around), {}))
-    found = _Run(function, own, depth + 1).results(given)
+    found = _results(function, own, given, depth + 1)
     if place >= len(found):
         raise UnknownError
     return found[place]
@@ -116,73 +116,53 @@ class _Locals:
         raise UnknownError
 
 
-@dataclass(slots=True)
-class _Run:
-    """One call of a function."""
+class Algorithm:
+    """An algorithm that is carried out.
 
-    function: Function
-    variables: Variables
-    depth: int
-    values: dict[str, Value] = field(default_factory=dict)
-    count: int = 0
+    Attributes:
+        values: those of variables that it has assigned, by name, and of others that are only known to it
+    """
 
-    def results(self, arguments: Sequence[Value]) -> list[Value]:
-        """Return the results for arguments; raises `UnknownError` if they are not known."""
-        sections = [
-            (base, section)
-            for base in self.function.library.lineage(self.function.declared)
-            for section in base.algorithms
-        ]
-        if len(sections) != 1 or self.depth > _DEEPEST:
-            raise UnknownError
-        ((base, section),) = sections
-        self.values |= zip(self.function.inputs, arguments, strict=True)
-        waiting = [name for name in self.variables.order.get("", ()) if name not in self.values]
-        for name in waiting:
-            self._begin(name)
+    def __init__(
+        self,
+        values: dict[str, Value],
+        assignable: Container[str],
+        names_in: Callable[[Class, Mapping[str, Value]], Names],
+    ) -> None:
+        """Begin.
+
+        Args:
+            values: those that are known before
+            assignable: the names of the variables that it may assign
+            names_in: what names in a class mean with these values
+        """
+        self.values = values
+        self._assignable = assignable
+        self._names_in = names_in
+        self._count = 0
+
+    def carry_out(self, section: Section, base: Class) -> None:
+        """Carry out the statements of a class; raises `UnknownError` if something is not known."""
         try:
-            inner = statements(section)
-            self._carry_out(inner, base, {})
+            self._statements(statements(section), base, {})
         except SyntaxError as error:
             raise UnknownError from error
         except _ReturnError:
             pass
-        if not self.values.keys() >= self.function.outputs.keys():
-            raise UnknownError
-        return [self.values[name] for name in self.function.outputs]
 
-    def _begin(self, name: str) -> None:
-        """Give a result or local the value of its declaration, or NaN for an array without one."""
-        leaf = self.variables.leaves.get(name)
-        if leaf is None:
-            return  # a record, of which nothing is known
-        if leaf.given.value:
-            names = self._names((leaf.given.scope or self.variables.nowhere).around)
-            self.values[name] = leaf.given.chosen(value_of(leaf.given.value, names))
-            if not self.values[name].ndim and self.variables.dimensions[name]:
-                raise UnknownError
-        elif self.variables.dimensions[name]:
-            sizes = [
-                whole(value_of(tokens, self._names(scope.around)))
-                for tokens, scope in self.variables.dimensions[name]
-                if tokens != (":",)
-            ]
-            if len(sizes) == len(self.variables.dimensions[name]) and math.prod(sizes) <= _MOST_STATEMENTS:
-                self.values[name] = np.full(sizes, np.nan)
+    def _names(self, base: Class) -> Names:
+        return self._names_in(base, self.values)
 
-    def _names(self, around: Class) -> Names:
-        return _Locals(self.variables, nowhere(around), self.values, self.depth)
-
-    def _carry_out(self, inner: Sequence[Statement], base: Class, iterators: Mapping[str, float]) -> None:
+    def _statements(self, inner: Sequence[Statement], base: Class, iterators: Mapping[str, float]) -> None:
         for one in inner:
-            self.count += 1
-            if self.count > _MOST_STATEMENTS:
+            self._count += 1
+            if self._count > _MOST_STATEMENTS:
                 raise UnknownError
             match one:
                 case Equation():
                     self._assign(one, base, iterators)
                 case Branches():
-                    self._carry_out(self._chosen(one, base, iterators), base, iterators)
+                    self._statements(self._chosen(one, base, iterators), base, iterators)
                 case Loop():
                     self._repeat(one.iterators, one.body, base, iterators)
                 case Call(name="return"):
@@ -206,7 +186,7 @@ class _Run:
         iterators: Mapping[str, float],
     ) -> None:
         if not ranges:
-            self._carry_out(body, base, iterators)
+            self._statements(body, base, iterators)
             return
         (name, numbers), *inner = ranges
         for number in value_of(numbers, self._names(base), iterators).flat:
@@ -220,7 +200,7 @@ class _Run:
             values = [value_of(one.right, names, iterators)]
         for target, value in zip(targets.values() or (one.left,), values, strict=True):
             ((name, subscripts), *further) = chosen_of(target, names, iterators)
-            if further or name not in self.variables.leaves or name in self.function.inputs:
+            if further or name not in self._assignable:
                 raise UnknownError
             if not subscripts:
                 self.values[name] = as_value(value)
@@ -228,6 +208,45 @@ class _Run:
                 self.values[name] = _replaced(self.values[name], subscripts, value)
             else:
                 raise UnknownError
+
+
+def _results(function: Function, variables: Variables, arguments: Sequence[Value], depth: int) -> list[Value]:
+    """Return the results of a function; raises `UnknownError` if they are not known."""
+    lineage = function.library.lineage(function.declared)
+    sections = [(base, section) for base in lineage for section in base.algorithms]
+    if len(sections) != 1 or depth > _DEEPEST:
+        raise UnknownError
+    ((base, section),) = sections
+    values = dict(zip(function.inputs, arguments, strict=True))
+    own = [name for name in variables.leaves if name not in values]
+    for name in variables.order.get("", ()):
+        if name in own:
+            _begin(name, variables, values, depth)
+    algorithm = Algorithm(
+        values, own, lambda around, known: _Locals(variables, nowhere(around), known, depth)
+    )
+    algorithm.carry_out(section, base)
+    if not values.keys() >= function.outputs.keys():
+        raise UnknownError
+    return [values[name] for name in function.outputs]
+
+
+def _begin(name: str, variables: Variables, values: dict[str, Value], depth: int) -> None:
+    """Give a result or local the value of its declaration, or NaN for an array without one."""
+    leaf, dimensions = variables.leaves[name], variables.dimensions[name]
+
+    def value(tokens: Tokens, scope: Scope) -> Value:
+        return value_of(tokens, _Locals(variables, nowhere(scope.around), values, depth))
+
+    if leaf.given.value:
+        values[name] = leaf.given.chosen(value(leaf.given.value, leaf.given.scope or variables.nowhere))
+        if not values[name].ndim and dimensions:
+            raise UnknownError
+    elif dimensions and all(tokens != (":",) for tokens, _ in dimensions):
+        sizes = [whole(value(*one)) for one in dimensions]
+        if math.prod(sizes) > _MOST_STATEMENTS:
+            raise UnknownError
+        values[name] = np.full(sizes, np.nan)
 
 
 def _replaced(array: Value, subscripts: Sequence[Value | None], value: Value) -> Value:

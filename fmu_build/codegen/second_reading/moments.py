@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import Final
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen, Names
 from fmu_build.codegen.second_reading.carried_out import result_of_call
-from fmu_build.codegen.second_reading.gathered import gathered
+from fmu_build.codegen.second_reading.gathered import gathered, indexed
 from fmu_build.codegen.second_reading.givens import Scope
 from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value
@@ -64,15 +64,26 @@ def scalars(path: str, sizes: Sequence[int]) -> Iterator[str]:
             yield f"{path}[{','.join(map(str, places))}]"
 
 
-def names_at(moment: Moment, scope: Scope) -> Names:
-    """Return what names mean in a scope at a moment."""
-    return _Names(moment, scope)
+def names_at(
+    moment: Moment, scope: Scope, assigned: Set[str] = frozenset(), values: Mapping[str, Value] | None = None
+) -> Names:
+    """Return what names mean in a scope at a moment.
+
+    Args:
+        moment: the moment
+        scope: the scope
+        assigned: names of variables that an algorithm assigns
+        values: those of them that it has assigned already
+    """
+    return _Names(moment, scope, assigned, values or {})
 
 
 @dataclass(frozen=True, slots=True)
 class _Names:
     moment: Moment
     scope: Scope
+    assigned: Set[str]
+    values: Mapping[str, Value]
     is_smooth: bool = False
 
     def is_random(self, reference: Chosen) -> bool:
@@ -81,6 +92,11 @@ class _Names:
 
     def value(self, reference: Chosen) -> Value:
         instances = self.moment.instances
+        ((name, subscripts), *further) = reference
+        if name in self.assigned:
+            if name not in self.values or further:
+                raise UnknownError
+            return indexed(self.values[name], subscripts)
         path = instances.path_of(reference, self.scope)
         if path is not None:
             return gathered(instances, path, reference, self.moment.of)

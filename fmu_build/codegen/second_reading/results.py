@@ -15,8 +15,9 @@ from typing import Final
 import numpy as np
 
 from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
+from fmu_build.codegen.second_reading.carried_out import Algorithm
 from fmu_build.codegen.second_reading.connections import Connections
-from fmu_build.codegen.second_reading.givens import Given, Scope, as_written
+from fmu_build.codegen.second_reading.givens import Given, Scope, as_written, joined
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.known_variables import Leaf
 from fmu_build.codegen.second_reading.moments import Moment, names_at
@@ -32,6 +33,7 @@ _DISTURBANCE: Final = 1e-9
 _ALLOWED: Final = 1e4
 _DISTURBED: Final = 4
 _ROUNDING: Final = 1e-9
+_LONGEST: Final = 60
 
 Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
 """Pairs of values that must be equal; raises `UnknownError` where they are not known."""
@@ -118,6 +120,11 @@ def _equations(instances: Instances) -> Iterator[tuple[str, Residual]]:
             for section in owner.sections:
                 if not section.is_initial:
                     yield from _of_section(Scope(path, owner), section)
+            for section in owner.algorithms:
+                if not section.is_initial:
+                    where = f" of {path}" if path else ""
+                    text = f"the algorithm {as_written(section.tokens)[:_LONGEST]}...{where}"
+                    yield text, _carried_out(Scope(path, owner), section)
     yield from _connected(Connections(instances))
 
 
@@ -165,6 +172,36 @@ def _pairs(
             if not condition or scalar(value_of(condition, names, iterators)):
                 return [pair for each in body for pair in _pairs(each, moment, scope, iterators)]
     return []
+
+
+def _carried_out(scope: Scope, section: Section) -> Residual:
+    names = _assigned(section)
+
+    def pairs(moment: Moment) -> Sequence[tuple[Value, Value]]:
+        leaves = moment.instances.leaves
+        paths = {name: joined(scope.path, name) for name in names}
+        assigned = {name for name, path in paths.items() if path in leaves}
+        arrays = {name: np.full(leaves[paths[name]].sizes, np.nan) for name in assigned}
+        algorithm = Algorithm(
+            {name: value for name, value in arrays.items() if value.ndim},
+            assigned,
+            lambda around, values: names_at(moment, Scope(scope.path, around), assigned, values),
+        )
+        algorithm.carry_out(section, scope.around)
+        return [(moment.of(paths[name]), value) for name, value in algorithm.values.items()]
+
+    return pairs
+
+
+def _assigned(section: Section) -> set[str]:
+    """Return the names before ``:=``, and all names in parentheses before it."""
+    found: set[str] = set()
+    before: list[str] = []
+    for token in section.tokens:
+        if token == ":=":
+            found.update(one for one in before if one.isidentifier())
+        before = [] if token in (";", "then", "loop", "else", ":=") else [*before, token]
+    return found
 
 
 def _connected(connections: Connections) -> Iterator[tuple[str, Residual]]:

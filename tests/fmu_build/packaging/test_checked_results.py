@@ -64,6 +64,18 @@ package P
     Resistor r2(R = 3);
     Ground ground;
     Source source;
+    Real q;
+    Real h[2];
+  algorithm
+    if x > 0.5 then
+      q := 2*x;
+    else
+      q := 3*x;
+    end if;
+  algorithm
+    for i in 1:2 loop
+      h[i] := i*x;
+    end for;
   equation
     der(x) = -k*x + 0.5;
     for i in 1:2 loop
@@ -119,7 +131,25 @@ def test_right_results_pass(generated: GeneratedModel, rows: list[Row]) -> None:
 @pytest.mark.parametrize(
     "name",
     [
-        *("k", "on", "n", "mode", "x", "der(x)", "y", "z[1]", "z[2]", "a", "b", "w", "late", "m"),
+        *(
+            "k",
+            "on",
+            "n",
+            "mode",
+            "x",
+            "der(x)",
+            "y",
+            "z[1]",
+            "z[2]",
+            "a",
+            "b",
+            "w",
+            "late",
+            "m",
+            "q",
+            "h[1]",
+            "h[2]",
+        ),
         *(
             "r1.R",
             "r1.p.v",
