@@ -21,7 +21,7 @@ from fmu_build.codegen.second_reading.givens import Given, Scope, as_written, jo
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.known_variables import Leaf
 from fmu_build.codegen.second_reading.moments import Moment, names_at
-from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, scalar
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, remainder, scalar
 from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
@@ -33,6 +33,8 @@ _DISTURBANCE: Final = 1e-9
 _ALLOWED: Final = 1e4
 _DISTURBED: Final = 4
 _ROUNDING: Final = 1e-9
+#: Values of variables that may be what is left of zero, as at a double root of a loop.
+_NOISE: Final = 1e-7
 _LONGEST: Final = 60
 
 Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
@@ -78,15 +80,15 @@ def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[s
 
 
 def _scales(moments: Sequence[Moment]) -> dict[str, float]:
-    """Return by how much the Real variables are disturbed, by name, and the time."""
-    leaves = moments[0].instances.leaves.items()
-    reals = {path for path, leaf in leaves if leaf.kind is PREDEFINED["Real"] and not leaf.is_constant}
+    """Return by how much the Real variables and parameters are disturbed, by name, and the time."""
+    leaves = moments[0].instances.leaves
     found = {"time": _DISTURBANCE * (max(abs(one.time) for one in moments) or 1.0)}
     for name in moments[0].values:
         whole = name.removeprefix("der(").removesuffix(")") if name.startswith("der(") else name
-        if whole in reals or whole.rpartition("[")[0] in reals:
+        leaf = leaves.get(whole) or leaves.get(whole.rpartition("[")[0])
+        if leaf is not None and leaf.kind is PREDEFINED["Real"]:
             largest = max(abs(one.values[name]) for one in moments)
-            found[name] = _DISTURBANCE * (largest or 1.0)
+            found[name] = _DISTURBANCE * (largest if leaf.is_constant or largest > _NOISE else 1.0)
     return found
 
 
@@ -242,7 +244,8 @@ def _other_constants(moment: Moment) -> Iterator[str]:
             scope = leaf.given.scope or instances.nowhere
             meant = leaf.given.spread(value_of(leaf.given.value, names_at(moment, scope)), leaf.sizes)
             found = moment.of(path)
-            if meant.shape == found.shape and not np.allclose(found, meant, rtol=_ROUNDING, atol=0.0):
+            rest = remainder(leaf.given.value, meant)
+            if meant.shape == found.shape and not np.allclose(found, meant, rtol=_ROUNDING, atol=rest):
                 yield f"{path} is {_text(found)} in the FMU, and {_text(meant)} in the source"
 
 

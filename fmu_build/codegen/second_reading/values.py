@@ -18,7 +18,7 @@ from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Given, Text, as_written
 from fmu_build.codegen.second_reading.known_variables import Leaf, Variables
-from fmu_build.codegen.second_reading.operations import UnknownError
+from fmu_build.codegen.second_reading.operations import UnknownError, remainder
 from fmu_build.codegen.second_reading.residuals import value_differs
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 from fmu_build.codegen.start_values import StartValues
@@ -66,13 +66,14 @@ def _differences(
         if not found and place in ("binding", "start") and attributes[place] is not None:
             found = [starts.given(variable, place, number) for number in range(len(variable["scalar_names"]))]
         with suppress(UnknownError):
-            meant = [*instances.value(given).flat]
+            value = instances.value(given)
+            meant, rest = [*value.flat], remainder(given.value, value)
             if found and None not in found and len(meant) in (1, len(found)):
                 pairs = zip(found, meant if len(meant) > 1 else meant * len(found), strict=True)
                 yield from (
                     f"the {what} is {a:g} instead of {b:g}"
                     for a, b in pairs
-                    if not math.isclose(a, b, rel_tol=_ROUNDING)
+                    if not math.isclose(a, b, rel_tol=_ROUNDING, abs_tol=rest)
                 )
 
 

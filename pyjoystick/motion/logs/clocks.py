@@ -2,98 +2,121 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import TIME, Heading, Match
-from pyjoystick.motion.logs.headings import candidates
+from pyjoystick.motion.logs.headings import candidates, last_part, meaning, spelled
 from pyjoystick.motion.logs.log_table import LogTable
 from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
-#: Headings of columns that number the samples.
-_COUNTERS: Final = frozenset(
-    (
-        *(
-            "#",
-            "count",
-            "counter",
-            "frame",
-            "frames",
-            "id",
-            "index",
-            "n",
-            "no",
-            "num",
-            "number",
-            "point",
-            "record",
-        ),
-        *("row", "sample", "samples", "scan"),
-        *("bild", "datensatz", "messung", "nr", "punkt", "zeile", "muestra"),
-    )
+#: Words, and beginnings of words, in headings of columns that number the samples.
+_WORDS: Final = frozenset(("#", "id", "lfd", "n", "no", "nr", "num", "row", "seq"))
+_STEMS: Final = (
+    *("count", "frame", "index", "number", "packet", "point", "record", "sample", "scan"),
+    *("bild", "datensatz", "mess", "muestra", "punkt", "zeile", "zähler"),
 )
+_WORD: Final = re.compile(r"[^\W\d_]+|#")
+_INNER_CAPITAL: Final = re.compile(r"(?<=[a-z])(?=[A-Z])")
+#: The least part of the steps that must be equal in a column that counts, and the fewest steps.
+_USUAL: Final = 0.8
+_FEWEST: Final = 5
 
 
-def counted_times(table: LogTable, rate: float) -> tuple[FloatArray, tuple[str, ...]]:
-    """Return the times of the samples (s) at a sampling rate (Hz), and notes on columns that are not used.
+@dataclass(frozen=True, slots=True)
+class _Counter:
+    """A column that counts: its usual step, and the places of its samples, from 0, if they are certain."""
 
-    An empty line is a sample that was lost, and so is a number that a counter of samples skips.
+    heading: Heading
+    step: int
+    places: NDArray[np.int64] | None
+    first_fault: int
+    """The first row that does not count on by the usual step; -1 if there is none."""
 
-    Raises:
-        RecordError: what a counter skips is no whole number of samples
+
+def counted_times(table: LogTable, rate: float, used: Collection[int]) -> tuple[FloatArray, tuple[str, ...]]:
+    """Return the times of the samples (s) at a sampling rate (Hz), and notes on other columns.
+
+    An empty line is a sample that was lost, and so is a number that a column of sample numbers skips.
+
+    Args:
+        table: the table
+        rate: the sampling rate (Hz)
+        used: the indices of columns that are something else
     """
-    rows, notes = table.file.rows, [*_replaced_times(table, rate)]
+    rows = table.file.rows
     empty = np.array(table.file.empty, dtype=np.int64)
     places = np.arange(len(rows)) + np.searchsorted(empty, rows)
-    for heading in table.file.head.headings:
-        if heading.text.casefold().strip(" _.") in _COUNTERS:
-            counter = _counter(table, heading)
-            if counter is None:
-                continue
-            counted, step = counter
-            if step > 1:
-                notes.append(f"{heading.text!r} counts in steps of {step}; the rows are {rate:g} per second")
-            if not np.array_equal(counted, places):
-                skipped = int(counted[-1]) + 1 - len(counted)
-                notes.append(f"{heading.text!r} skips {skipped} samples, which the times follow")
-                return counted / rate, tuple(notes)
+    times = candidates(TIME, table.file.head.headings)
+    notes = [f"{one.text!r} is left alone: the samples are {rate:g} per second, as given" for one in times]
+    followed = False
+    for i, heading in enumerate(table.file.head.headings):
+        if i in used or heading in times:
+            continue
+        counter = _counter(table, heading)
+        if counter is None:
+            if _numbers_samples(heading):
+                notes.append(f"{heading.text!r} does not count evenly: the rows are {rate:g} per second")
+            continue
+        if counter.step > 1:
+            notes.append(
+                f"{heading.text!r} counts in steps of {counter.step}; the rows are {rate:g} per second"
+            )
+        if counter.first_fault < 0 and not len(empty):
+            continue
+        if counter.places is not None and _numbers_samples(heading) and not followed:
+            notes += _followed(heading, counter.places, places)
+            places, followed = counter.places, True
+        elif counter.places is None or not np.array_equal(counter.places, places):
+            where = f"{heading.text!r} does not count on at row {rows[max(counter.first_fault, 0)]}"
+            notes.append(f"{where}: are samples missing? The times do not follow it")
     return places / rate, tuple(notes)
 
 
-def _counter(table: LogTable, heading: Heading) -> tuple[NDArray[np.int64], int] | None:
-    """Return the places of samples, from 0, and the step of a column that counts upwards; None for others.
+def _followed(heading: Heading, places: NDArray[np.int64], rows: NDArray[np.int64]) -> Iterator[str]:
+    """Yield a note if a column that numbers the samples gives them other places than the rows."""
+    skipped = int(places[-1]) + 1 - len(places)
+    if not np.array_equal(places, rows):
+        what = f"skips {skipped} samples" if skipped else "counts on across empty lines"
+        yield f"{heading.text!r} {what}, which the times follow"
 
-    Raises `RecordError` if some steps are no multiples of the smallest.
-    """
+
+def _numbers_samples(heading: Heading) -> bool:
+    """Return whether the words of a heading say that the column numbers the samples."""
+    words = [one.casefold() for one in _WORD.findall(_INNER_CAPITAL.sub(" ", heading.text))]
+    return any(one in _WORDS or one.startswith(_STEMS) for one in words)
+
+
+def _counter(table: LogTable, heading: Heading) -> _Counter | None:
+    """Return a column that counts, nearly always by the same whole number; None for another column."""
     try:
         numbers = table.file.numbers(heading)
     except RecordError:
         return None
+    known = np.isfinite(numbers)
     steps = np.diff(numbers)
-    if not steps.size or not np.isfinite(numbers).all() or (steps <= 0.0).any() or (steps % 1.0).any():
+    steps = steps[np.isfinite(steps)]
+    if len(steps) < _FEWEST or (numbers[known] % 1.0).any():
         return None
-    smallest = steps.min()
-    odd = np.flatnonzero(steps % smallest)
-    if odd.size:
-        raise RecordError(
-            str(table.file.head.path),
-            f"counts in steps of {smallest:g}, but once by {steps[odd[0]]:g}",
-            "name a column of times instead of the sampling rate, or correct the counter",
-            column=heading.text,
-            rows=[int(table.file.rows[odd[0] + 1])],
-        )
-    places: NDArray[np.int64] = np.rint((numbers - numbers[0]) / smallest).astype(np.int64)
-    return places, int(smallest)
-
-
-def _replaced_times(table: LogTable, rate: float) -> Iterator[str]:
-    """Yield a note for each column of times that is not used."""
-    for heading in candidates(TIME, table.file.head.headings):
-        yield f"{heading.text!r} is left alone: the samples are {rate:g} per second, as given"
+    values, counts = np.unique(steps, return_counts=True)
+    usual, count = float(values[counts.argmax()]), int(counts.max())
+    if usual <= 0.0 or count < _USUAL * len(steps):
+        return None
+    index = np.arange(len(numbers))
+    whole = np.interp(index, index[known], numbers[known]) / usual
+    all_steps = np.diff(whole)
+    faults = np.flatnonzero(np.abs(all_steps - 1.0) > 0.0)
+    places = None
+    if known[0] and known[-1] and (all_steps > 0.0).all() and not (all_steps % 1.0).any():
+        places = np.rint(whole - whole[0]).astype(np.int64)
+    return _Counter(heading, int(usual), places, int(faults[0]) + 1 if faults.size else -1)
 
 
 def other_clocks(table: LogTable, found: Mapping[str, Match]) -> Iterator[str]:
@@ -101,23 +124,33 @@ def other_clocks(table: LogTable, found: Mapping[str, Match]) -> Iterator[str]:
     if "time" not in found:
         return
     headings, own = table.file.head.headings, found["time"].index
-    same_name = [one for one in headings if one.name == headings[own].name]
-    clocks = {headings.index(one) for one in (*candidates(TIME, headings), *same_name)} | {own}
+    clocks = {i for i, one in enumerate(headings) if _may_be_time(one) or one.name == headings[own].name} | {
+        own
+    }
     for name, match in found.items():
         nearest = max((one for one in clocks if one < match.index), default=own)
-        if name != "time" and nearest != own and own < match.index and _differ(table, nearest, own):
+        if name != "time" and nearest != own and _differ(table, headings[nearest], headings[own]):
             quantity, clock = headings[match.index].text, headings[nearest].text
-            yield (
-                f"{quantity!r} stands behind {clock!r}, another clock, but is read at the times of "
-                f"{headings[own].text!r}"
-            )
+            where = f"{quantity!r} stands behind {clock!r}, another clock"
+            yield f"{where}, but is read at the times of {headings[own].text!r}"
 
 
-def _differ(table: LogTable, one: int, other: int) -> bool:
-    headings = table.file.head.headings
+def _may_be_time(heading: Heading) -> bool:
+    return meaning(last_part(heading.name)) == "time" or spelled("time", heading.unit) is not None
+
+
+def _differ(table: LogTable, one: Heading, other: Heading) -> bool:
+    """Return whether two clocks differ, other than by a constant longer than the record, as a date is."""
     try:
-        return not np.array_equal(
-            table.file.numbers(headings[one]), table.file.numbers(headings[other]), equal_nan=True
+        first, second = (
+            table.file.numbers(each) * UNITS["time"].get(spelled("time", each.unit) or "", 1.0)
+            for each in (one, other)
         )
     except RecordError:
         return True
+    known = np.isfinite(first) & np.isfinite(second)
+    if known.sum() < 2:
+        return True
+    offsets, duration = (first - second)[known], float(np.ptp(second[known]))
+    varies = np.ptp(offsets) > 1e-3 * duration
+    return bool(varies or 0.0 < np.abs(offsets).max() < duration)

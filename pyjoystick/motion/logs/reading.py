@@ -101,7 +101,8 @@ def read_log(
             reason = f"has no quantity {name!r} with a scale"
             raise RecordError(str(path), reason, "known are theta, omega, T and F")
     found = table.find(wanted, headings=columns, units=units, scales=scales, override=True)
-    times, counted = (None, ()) if rate is None else counted_times(table, rate)
+    used = [match.index for match in found.values()]
+    times, counted = (None, ()) if rate is None else counted_times(table, rate, used)
     series = {} if times is None else {"time": times}
     for name, match in found.items():
         zero = scales[name].zero * scales[name].factor if scales and name in scales else 0.0

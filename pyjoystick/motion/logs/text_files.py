@@ -5,7 +5,7 @@ from __future__ import annotations
 import codecs
 import re
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import groupby, pairwise
 from pathlib import Path
 from typing import Final
 
@@ -33,6 +33,8 @@ _ENOUGH: Final = 1 << 16
 #: Number of lines that may contain the headings.
 _FIRST_LINES: Final = 100
 _SEPARATOR: Final = re.compile(r"[,;\t|]")
+#: The part of neighboring lines of which one is empty where all lines are separated.
+_NEARLY_ALL: Final = 0.9
 _LABVIEW_END: Final = "***End_of_Header***"
 #: A heading with its unit, if spaces separate the columns.
 _WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
@@ -157,14 +159,20 @@ def delimiter_name(delimiter: str) -> str:
 
 
 def _without_double_spacing(lines: Sequence[tuple[int, str]]) -> list[tuple[int, str]]:
-    """The lines; without the empty ones if these separate all others, as after a wrong conversion.
+    """The lines; without the empty ones if these separate nearly all others, as after a wrong conversion.
 
     Other empty lines may be samples that were lost.
     """
     is_empty = [not line.strip() for _, line in lines]
-    if all(one or other for one, other in pairwise(is_empty)):
-        return [line for line, empty in zip(lines, is_empty, strict=True) if not empty]
-    return list(lines)
+    separated = sum(one or other for one, other in pairwise(is_empty))
+    if separated < _NEARLY_ALL * (len(lines) - 1):
+        return list(lines)
+    found: list[tuple[int, str]] = []
+    for empty, group in groupby(lines, lambda line: not line[1].strip()):
+        those = list(group)
+        # Of three, the one in the middle is a line itself.
+        found += those[1 : 1 + (len(those) - 1) // 2] if empty else those
+    return found
 
 
 def _is_remark(line: str) -> bool:

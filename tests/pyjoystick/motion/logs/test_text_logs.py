@@ -623,7 +623,7 @@ def test_quoted_thousands_between_commas_are_refused(tmp_path: Path) -> None:
         read_log(path)
 
 
-@pytest.mark.parametrize("heading", ["Frame", "Sample", "Nr."])
+@pytest.mark.parametrize("heading", ["Frame", "Sample", "Nr.", "frameNumber", "Lfd. Nr.", "Zähler"])
 def test_numbers_of_samples_that_are_skipped_take_their_time(heading: str, tmp_path: Path) -> None:
     numbers = np.delete(np.arange(1, COUNT + 1), [6, 7, 20])
     angle = np.delete(ANGLE, [6, 7, 20])
@@ -639,12 +639,29 @@ def test_numbers_of_samples_in_larger_steps_are_noted(tmp_path: Path) -> None:
     assert "'Frame' counts in steps of 2; the rows are 250 per second" in log.notes
 
 
-def test_numbers_of_samples_that_do_not_fit_are_refused(tmp_path: Path) -> None:
+def _other_steps() -> list[str]:
     numbers = 2 * np.arange(COUNT)
     numbers[10:] += 1
-    path = written(tmp_path / "log.csv", text(("Frame", "angle (deg)"), numbers, ANGLE))
-    with pytest.raises(RecordError, match=r"'Frame', row 12: counts in steps of 2, but once by 3"):
-        read_log(path, rate=250.0)
+    return list(map(str, numbers))
+
+
+@pytest.mark.parametrize(
+    ("heading", "numbers"),
+    [
+        ("Frame", _other_steps()),
+        ("frame_id", [str(i % 32) for i in range(COUNT)]),
+        ("SampleNumber", [str(i - (i > 9)) for i in range(COUNT)]),
+        ("unnamed", [str(i + 3 * (i > 9)) for i in range(COUNT)]),
+    ],
+)
+def test_numbers_of_samples_that_do_not_fit_are_noted(
+    heading: str, numbers: list[str], tmp_path: Path
+) -> None:
+    path = written(tmp_path / "log.csv", text((heading, "angle (deg)"), numbers, ANGLE))
+    log = read_log(path, rate=250.0)
+    np.testing.assert_allclose(log.series["time"], np.arange(COUNT) / 250.0, rtol=0, atol=1e-12)
+    (note,) = [one for one in log.notes if "does not count on at row" in one]
+    assert note.startswith(repr(heading))
 
 
 @pytest.mark.parametrize(("delay", "notes"), [(0.1, 1), (0.0, 0)])
@@ -657,3 +674,19 @@ def test_a_quantity_with_another_clock_is_noted(delay: float, notes: int, tmp_pa
     for note in found:
         behind = "'Torque (N.m)' stands behind 'X_Value #3', another clock"
         assert note == f"{behind}, but is read at the times of 'X_Value #1'"
+
+
+@pytest.mark.parametrize("lost", [0, 1])
+def test_a_sample_or_a_separator_is_lost_among_lines_with_empty_ones_between(
+    lost: int, tmp_path: Path
+) -> None:
+    lines = text(("angle (deg)", "remark (V)"), ANGLE, TORQUE).splitlines()
+    spaced = [line for one in lines for line in (one, "")]
+    del spaced[40 : 40 + (2 if lost else 0)]
+    if lost:
+        spaced[40:40] = ["", ""]
+    else:
+        del spaced[39]
+    log = read_log(written(tmp_path / "log.csv", "\n".join(spaced)), rate=250.0)
+    assert len(log.series["time"]) == COUNT - lost
+    assert log.series["time"][-1] == pytest.approx((COUNT - 1) / 250.0)
