@@ -37,6 +37,9 @@ _ROUNDING: Final = 1e-9
 _NOISE: Final = 1e-7
 _LONGEST: Final = 60
 
+#: What may change variables at the start.
+_AT_THE_START: Final = frozenset(("reinit", "sample", "when"))
+
 Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
 """Pairs of values that must be equal; raises `UnknownError` where they are not known."""
 Row = tuple[float, Mapping[str, float]]
@@ -77,6 +80,11 @@ def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[s
         if len(wrong) > 1 or (wrong and len(moments) == 1):
             yield f"at time {wrong[0]:g}, the result of the FMU does not fulfil {text}"
     yield from _other_constants(moments[0])
+    if not _is_changed_at_the_start(instances):
+        yield from _other_starts(moments[0])
+        for text, residual in _equations_of_sections(instances, is_initial=True):
+            if _differs(residual, moments[0], disturbed[0]):
+                yield f"the start of the FMU does not fulfil {text}"
 
 
 def _scales(moments: Sequence[Moment]) -> dict[str, float]:
@@ -117,17 +125,22 @@ def _equations(instances: Instances) -> Iterator[tuple[str, Residual]]:
         if leaf.given.value and not leaf.is_constant and leaf.given.scope is not None:
             text = f"{path} = {as_written(leaf.given.value)}"
             yield text, _declared(path, leaf, leaf.given)
-    for path, part in instances.parts.items():
-        for owner in part.classes:
-            for section in owner.sections:
-                if not section.is_initial:
-                    yield from _of_section(Scope(path, owner), section)
-            for section in owner.algorithms:
-                if not section.is_initial:
-                    where = f" of {path}" if path else ""
-                    text = f"the algorithm {as_written(section.tokens)[:_LONGEST]}...{where}"
-                    yield text, _carried_out(Scope(path, owner), section)
+    yield from _equations_of_sections(instances, is_initial=False)
     yield from _connected(Connections(instances))
+
+
+def _equations_of_sections(instances: Instances, *, is_initial: bool) -> Iterator[tuple[str, Residual]]:
+    for path, part in instances.parts.items():
+        where = f" of {path}" if path else ""
+        for owner in part.classes:
+            scope = Scope(path, owner)
+            for section in owner.sections:
+                if section.is_initial == is_initial:
+                    yield from _of_section(scope, section, where)
+            for section in owner.algorithms:
+                if section.is_initial == is_initial:
+                    text = f"the algorithm {as_written(section.tokens)[:_LONGEST]}...{where}"
+                    yield text, _carried_out(scope, section)
 
 
 def _declared(path: str, leaf: Leaf, given: Given) -> Residual:
@@ -139,7 +152,7 @@ def _declared(path: str, leaf: Leaf, given: Given) -> Residual:
     return pairs
 
 
-def _of_section(scope: Scope, section: Section) -> Iterator[tuple[str, Residual]]:
+def _of_section(scope: Scope, section: Section, where: str) -> Iterator[tuple[str, Residual]]:
     try:
         inner = statements(section)
     except SyntaxError:
@@ -147,7 +160,6 @@ def _of_section(scope: Scope, section: Section) -> Iterator[tuple[str, Residual]
     for one in inner:
         if isinstance(one, Equation | Branches | Loop):
             words = as_written(section.between(one.start, one.end)).removesuffix(";")
-            where = f" of {scope.path}" if scope.path else ""
             yield f"the equation {words}{where}", _stated(one, scope)
 
 
@@ -247,6 +259,28 @@ def _other_constants(moment: Moment) -> Iterator[str]:
             rest = remainder(leaf.given.value, meant)
             if meant.shape == found.shape and not np.allclose(found, meant, rtol=_ROUNDING, atol=rest):
                 yield f"{path} is {_text(found)} in the FMU, and {_text(meant)} in the source"
+
+
+def _is_changed_at_the_start(instances: Instances) -> bool:
+    """Return whether an event at the start may change what initial equations and fixed values have given."""
+    owners = {id(owner): owner for part in instances.parts.values() for owner in part.classes}
+    return any(_AT_THE_START & {*owner.tokens} for owner in owners.values())
+
+
+def _other_starts(moment: Moment) -> Iterator[str]:
+    """Yield the variables that have other values at the start than those that are fixed."""
+    instances = moment.instances
+    for path, leaf in instances.leaves.items():
+        fixed, start = leaf.given.inner.get("fixed"), leaf.given.inner.get("start")
+        if leaf.is_constant or leaf.kind is PREDEFINED["String"] or fixed is None or start is None:
+            continue
+        with suppress(UnknownError):
+            scope = start.scope or instances.nowhere
+            meant = start.spread(value_of(start.value, names_at(moment, scope)), leaf.sizes)
+            found, is_fixed = moment.of(path), fixed.spread(instances.value(fixed), leaf.sizes)
+            allowed = _ROUNDING * (1.0 + np.abs(meant))
+            if meant.shape == found.shape and (is_fixed * np.abs(found - meant) > allowed).any():
+                yield f"{path} starts at {_text(found)} in the FMU, and at {_text(meant)} in the source"
 
 
 def _text(value: Value) -> str:

@@ -66,6 +66,9 @@ package P
     Source source;
     Real q;
     Real h[2];
+    Real s;
+  initial equation
+    s = 2*x + k;
   algorithm
     if x > 0.5 then
       q := 2*x;
@@ -78,6 +81,7 @@ package P
     end for;
   equation
     der(x) = -k*x + 0.5;
+    der(s) = 0;
     for i in 1:2 loop
       z[i] = i*x + (if late then 1 else 0);
     end for;
@@ -147,6 +151,8 @@ def test_right_results_pass(generated: GeneratedModel, rows: list[Row]) -> None:
             "late",
             "m",
             "q",
+            "s",
+            "der(s)",
             "h[1]",
             "h[2]",
         ),
@@ -166,6 +172,18 @@ def test_right_results_pass(generated: GeneratedModel, rows: list[Row]) -> None:
 )
 def test_each_other_value_is_found(name: str, generated: GeneratedModel, rows: list[Row]) -> None:
     assert list(mistaken_results(generated.texts, "P.M", _changed(rows, name)))
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "message"),
+    [("x", 1.0, "x starts at 1.002 in the FMU"), ("k", 4.0, "k is 4.005 in the FMU, and 4. in the source")],
+)
+def test_a_message_has_both_values(
+    name: str, number: float, message: str, generated: GeneratedModel, rows: list[Row]
+) -> None:
+    assert rows[0][1][name] == number
+    found = list(mistaken_results(generated.texts, "P.M", _changed(rows, name)))
+    assert any(one.startswith(message) for one in found), found
 
 
 def test_every_value_has_been_tried(rows: list[Row]) -> None:
