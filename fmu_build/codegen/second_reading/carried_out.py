@@ -19,7 +19,8 @@ from fmu_build.codegen.second_reading.gathered import flattened, indexed, leaves
 from fmu_build.codegen.second_reading.givens import Scope, nowhere
 from fmu_build.codegen.second_reading.known_variables import Variables
 from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, called, scalar, whole
-from fmu_build.codegen.second_reading.records import constructor_of
+from fmu_build.codegen.second_reading.points import Point
+from fmu_build.codegen.second_reading.records import constructor_of, member_of
 from fmu_build.codegen.second_reading.sections import Branches, Call, Equation, Loop, Statement, statements
 from fmu_build.codegen.second_reading.syntax import Class, Section, Tokens
 
@@ -62,21 +63,36 @@ def result_of_call(
     return found[place]
 
 
+def member_of_result(
+    variables: Variables, scope: Scope, name: str, result: Value, members: Sequence[str]
+) -> Value:
+    """Return a member of the record that a constructor has returned; raises `UnknownError` for a function."""
+    constructor = constructor_of(variables, name, scope)
+    if constructor is None:
+        raise UnknownError
+    return member_of(constructor.variables, "", result, members)
+
+
 def _constructed(
     variables: Variables, scope: Scope, name: str, arguments: Sequence[Value], named: Mapping[str, Value]
 ) -> Value | None:
-    """Return the record that a constructor makes of values for all members; None for other functions."""
+    """Return the record that a constructor makes; None for another function.
+
+    Raises `UnknownError` if a member has no value, or one that a function returns.
+    """
     try:
         constructor = constructor_of(variables, name, scope)
     except UnknownError:
         return None
     if constructor is None:
         return None
-    given = constructor.given(arguments, named)
+    given: dict[str, Value | None] = {**constructor.given(arguments, named)}
     leaves = [*leaves_in(constructor.variables, "")]
-    if not given.keys() >= {*leaves}:
+    defaults = [constructor.variables.leaves[leaf].given.value for leaf in leaves if leaf not in given]
+    if any(not one or "(" in one for one in defaults):
         raise UnknownError
-    return flattened(given[leaf] for leaf in leaves)
+    point = Point(constructor.variables, 0, frozenset(), is_smooth=False, is_replaced=True, _computed=given)
+    return flattened(point.of(leaf) for leaf in leaves)
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +129,7 @@ class _Locals:
         return result_of_call(self.variables, self.scope, name, arguments, named, place, self.depth)
 
     def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
-        raise UnknownError
+        return member_of_result(self.variables, self.scope, name, result, members)
 
 
 class Algorithm:

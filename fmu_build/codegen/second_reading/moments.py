@@ -11,7 +11,7 @@ from typing import Final
 import numpy as np
 
 from fmu_build.codegen.second_reading.arithmetic import Chosen, Names
-from fmu_build.codegen.second_reading.carried_out import result_of_call
+from fmu_build.codegen.second_reading.carried_out import member_of_result, result_of_call
 from fmu_build.codegen.second_reading.gathered import gathered, indexed
 from fmu_build.codegen.second_reading.givens import Scope
 from fmu_build.codegen.second_reading.known_variables import Variables
@@ -122,4 +122,4 @@ class _Names:
         return result_of_call(self.moment.instances, self.scope, name, arguments, named, place)
 
     def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
-        raise UnknownError
+        return member_of_result(self.moment.instances, self.scope, name, result, members)

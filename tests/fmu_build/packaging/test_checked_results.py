@@ -36,6 +36,7 @@ package P
     y := v[1] + v[2]*v[3];
   end f;
   function two input Real u; output Real a; output Real b; algorithm a := 2*u; b := a + 1; end two;
+  record R Real a; Real b = 2; end R;
   connector Pin Real v; flow Real i; end Pin;
   model Resistor
     parameter Real R = 2;
@@ -67,6 +68,9 @@ package P
     Real q;
     Real h[2];
     Real s;
+    R r = R(k*x);
+    parameter R c = if n > 1 then R(a = k, b = 7) else R(b = 1, a = 2);
+    Real e = c.a*r.b;
   initial equation
     s = 2*x + k;
   algorithm
@@ -151,7 +155,7 @@ def test_right_results_pass(generated: GeneratedModel, rows: list[Row]) -> None:
             "late",
             "m",
             "q",
-            "s",
+            *("s", "r.a", "r.b", "c.a", "c.b", "e"),
             "der(s)",
             "h[1]",
             "h[2]",
