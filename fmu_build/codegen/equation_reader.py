@@ -16,7 +16,7 @@ from fmu_build.codegen.lowered import LoweredModel, slot_of
 from fmu_build.codegen.programs import FunctionNames, ProgramReader
 from fmu_build.codegen.rejections import initial_spans
 from fmu_build.codegen.relations import freeze_comparisons, read_relations
-from fmu_build.codegen.start_values import StartValues, starts_from_parameters
+from fmu_build.codegen.start_values import StartValues, reject_late_starts, starts_from_parameters
 
 _Starts = tuple[tuple[Slot, Expression], ...]
 
@@ -53,6 +53,7 @@ class _Reader:
         sought: set[Slot] = {("y", i) for block in blocks for i in block.unknowns} | set(unknowns)
         given = StartValues(self.model)
         dependent, starts, guesses = self._updates(given, n_states, sought)
+        reject_late_starts(self.model, starts, dependent, unknowns)
         known = {slot for slot in sought if given.of(slot) != 0.0} | {slot for slot, _ in guesses}
         guesses += tuple(derived_guesses(blocks, known, n_states))
         actions = self._actions()

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Container, Mapping
+from collections.abc import Container, Iterable, Mapping
 from functools import cached_property
 from typing import Any
 
+from fmu_build.codegen import expression as ex
 from fmu_build.codegen.dae_expression import number_of, plain_expression
 from fmu_build.codegen.expression import Expression, Slot
 from fmu_build.codegen.lowered import LoweredModel
@@ -91,6 +92,32 @@ class StartValues:
             return number_of(found, lambda index: self.of(("p", index)))
         except (ArithmeticError, KeyError, ValueError):
             return None
+
+
+def reject_late_starts(
+    model: LoweredModel,
+    starts: Iterable[tuple[Slot, Expression]],
+    dependent: Iterable[tuple[int, Expression]],
+    unknowns: Iterable[Slot],
+) -> None:
+    """Raise an error for a start value that depends on an unknown of the initial equations, solved later.
+
+    Args:
+        model: the model
+        starts: the start values
+        dependent: the parameters that depend on others, in the order in which they are computed
+        unknowns: the unknowns
+    """
+    late = {ex.leaf(slot) for slot in unknowns}
+    for index, value in dependent:
+        if late & ex.leaves(value):
+            late.add(ex.p(index))
+    names = {slot: name for name, slot in model.slots.items()}
+    for slot, value in starts:
+        for leaf in late & ex.leaves(value):
+            source = names.get(("p" if leaf.operator == "p" else "y", leaf.index), "another variable")
+            what = f"the start value of {names.get(slot, 'a variable')} depends on {source}"
+            raise model.unsupported(f"{what}, which initial equations determine: that is not supported")
 
 
 def starts_from_parameters(

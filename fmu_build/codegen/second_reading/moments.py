@@ -29,11 +29,13 @@ class Moment:
         instances: what the source says of the variables
         time: the time
         values: by the names of FMI, with those of derivatives, as ``der(a.x[2])``
+        number: 0, or that of a disturbed moment, from 1
     """
 
     instances: Variables
     time: float
     values: Mapping[str, float]
+    number: int = 0
 
     def of(self, path: str, operator: str = "") -> Value:
         """Return the value of a variable; raises `UnknownError` if the FMU does not show it."""
@@ -46,12 +48,12 @@ class Moment:
         return self.instances.known(path)
 
     def disturbed(self, scales: Mapping[str, float], number: int) -> Moment:
-        """Return a moment at which variables with scales, and the time, differ by random parts of them."""
+        """Return a moment with a number at which variables with scales differ by random parts of these."""
         random = np.random.default_rng(number).uniform(-1.0, 1.0, len(scales))
         changes = zip(scales.items(), random, strict=True)
         before = {"time": self.time, **self.values}
         changed = {name: before[name] + scale * float(one) for (name, scale), one in changes}
-        return Moment(self.instances, changed.get("time", self.time), {**self.values, **changed})
+        return Moment(self.instances, changed["time"], {**self.values, **changed}, number)
 
 
 def scalars(path: str, sizes: Sequence[int]) -> Iterator[str]:

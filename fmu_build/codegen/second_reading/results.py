@@ -7,9 +7,11 @@ these: each equation that can be computed is evaluated with the values that the 
 from __future__ import annotations
 
 import json
+import re
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -17,7 +19,7 @@ import numpy as np
 from fmu_build.codegen.second_reading.arithmetic import results_of, value_of
 from fmu_build.codegen.second_reading.carried_out import Algorithm
 from fmu_build.codegen.second_reading.connections import Connections
-from fmu_build.codegen.second_reading.givens import Given, Scope, as_written, joined
+from fmu_build.codegen.second_reading.givens import Scope, as_written, joined
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.known_variables import Leaf
 from fmu_build.codegen.second_reading.moments import Moment, names_at
@@ -25,7 +27,7 @@ from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_
 from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
-from fmu_build.codegen.second_reading.syntax import Section
+from fmu_build.codegen.second_reading.syntax import Section, Tokens
 
 #: Part of a variable's largest value by which it is disturbed, and the multiple of what this changes in an
 #: equation that counts as its error: 1e-5 of its largest term.
@@ -39,6 +41,8 @@ _LONGEST: Final = 60
 
 #: What may change variables at the start.
 _AT_THE_START: Final = frozenset(("reinit", "sample", "when"))
+
+_REAL: Final = re.compile(r"(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?")
 
 Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
 """Pairs of values that must be equal; raises `UnknownError` where they are not known."""
@@ -66,7 +70,7 @@ def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[s
         return
     moments = [Moment(instances, *row) for row in rows]
     scales = _scales(moments)
-    disturbed = [[one.disturbed(scales, number) for number in range(_DISTURBED)] for one in moments]
+    disturbed = [[one.disturbed(scales, number + 1) for number in range(_DISTURBED)] for one in moments]
     for text, residual in _equations(instances):
         wrong = [
             time
@@ -113,7 +117,8 @@ def _differs(residual: Residual, moment: Moment, disturbed: Sequence[Moment]) ->
         changes = [np.abs((one[place][0] - one[place][1]) - (left - right)) for one in others]
         if not np.isfinite(error).all() or any(one.shape != error.shape for one in changes):
             return False
-        allowed = _ALLOWED * np.max(changes, axis=0) + _ROUNDING * (np.abs(left) + np.abs(right))
+        most = np.max([np.nan_to_num(one, posinf=0.0) for one in changes], axis=0)
+        allowed = _ALLOWED * most + _ROUNDING * (np.abs(left) + np.abs(right))
         if (error > allowed).any():
             return True
     return False
@@ -124,7 +129,7 @@ def _equations(instances: Instances) -> Iterator[tuple[str, Residual]]:
     for path, leaf in instances.leaves.items():
         if leaf.given.value and not leaf.is_constant and leaf.given.scope is not None:
             text = f"{path} = {as_written(leaf.given.value)}"
-            yield text, _declared(path, leaf, leaf.given)
+            yield text, _declared(path, leaf)
     yield from _equations_of_sections(instances, is_initial=False)
     yield from _connected(Connections(instances))
 
@@ -143,10 +148,12 @@ def _equations_of_sections(instances: Instances, *, is_initial: bool) -> Iterato
                     yield text, _carried_out(scope, section)
 
 
-def _declared(path: str, leaf: Leaf, given: Given) -> Residual:
+def _declared(path: str, leaf: Leaf) -> Residual:
+    given, variants = leaf.given, _variants(leaf.given.value)
+
     def pairs(moment: Moment) -> Sequence[tuple[Value, Value]]:
         scope = given.scope or moment.instances.nowhere
-        meant = given.spread(value_of(given.value, names_at(moment, scope)), leaf.sizes)
+        meant = given.spread(value_of(variants[moment.number], names_at(moment, scope)), leaf.sizes)
         return [(moment.of(path), meant)]
 
     return pairs
@@ -154,17 +161,29 @@ def _declared(path: str, leaf: Leaf, given: Given) -> Residual:
 
 def _of_section(scope: Scope, section: Section, where: str) -> Iterator[tuple[str, Residual]]:
     try:
-        inner = statements(section)
+        variants = [statements(replace(section, tokens=tokens)) for tokens in _variants(section.tokens)]
     except SyntaxError:
         return
-    for one in inner:
-        if isinstance(one, Equation | Branches | Loop):
-            words = as_written(section.between(one.start, one.end)).removesuffix(";")
-            yield f"the equation {words}{where}", _stated(one, scope)
+    for those in zip(*variants, strict=True):
+        first = those[0]
+        if isinstance(first, Equation | Branches | Loop):
+            words = as_written(section.between(first.start, first.end)).removesuffix(";")
+            yield f"the equation {words}{where}", _stated(those, scope)
 
 
-def _stated(one: Statement, scope: Scope) -> Residual:
-    return lambda moment: _pairs(one, moment, scope, {})
+def _stated(variants: Sequence[Statement], scope: Scope) -> Residual:
+    return lambda moment: _pairs(variants[moment.number], moment, scope, {})
+
+
+def _variants(tokens: Tokens) -> list[Tokens]:
+    """Return a text, and what it is at the disturbed moments: with other Real numbers, but no other sizes."""
+    random = np.random.default_rng(1).uniform(-_DISTURBANCE, _DISTURBANCE, (_DISTURBED, len(tokens)))
+    places = [place for place, token in enumerate(tokens) if _REAL.fullmatch(token)]
+    found = [[*tokens] for _ in range(_DISTURBED)]
+    for changes, one in zip(random, found, strict=True):
+        for place in places:
+            one[place] = repr(float(tokens[place]) * (1.0 + float(changes[place])))
+    return [tokens, *map(tuple, found)]
 
 
 def _pairs(

@@ -72,6 +72,7 @@ REFUSALS = (
     Refusal("LocalRecord", UnsupportedModelError, r"the record r in function"),
     Refusal("LoopWithDefault", UnsupportedModelError, r"reading t before a loop that assigns it"),
     Refusal("LostConstraint", UnsupportedModelError, r"1 instead of 4: .* part\.k"),
+    Refusal("LateStart", UnsupportedModelError, r"start value of v depends on p, which initial equations"),
     Refusal("LeakingModifier", UnsupportedModelError, r"7 instead of 3: .* outer1\.inside\.gain\.k"),
     Refusal("LeakingStart", UnsupportedModelError, r"the start value is 400 instead of 300: .* body\.rod\.T"),
     Refusal("ArraysInExtends", UnsupportedModelError, r"3 instead of 7: .* d\.p"),

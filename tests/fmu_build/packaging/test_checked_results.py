@@ -220,3 +220,25 @@ def test_an_error_of_the_generator_ends_the_build(
     ):
         package_fmu(wrong, BuildRequest("P.M", tmp_path), partial(check_results, wrong))
     assert not [*tmp_path.glob("*.fmu")]
+
+
+def test_rounding_is_no_error(tmp_path: Path) -> None:
+    """What is left of zero has no digit that is right, in equations, in parameters and at a double root."""
+    file = tmp_path / "M.mo"
+    file.write_text(
+        """
+        model M
+          parameter Real p1 = 1e5, p2 = 1e5, k = 2;
+          Real m(start = 1), n(start = 1);
+          parameter Real a = 0.1, v[21] = {0.1*i for i in -10:10}, s = sum(v), e = 0.7^4 - 0.7*0.7*0.7*0.7;
+          Real z = a^(-3) - 1/a^3;
+          Real w = 0.1*3 - 0.3;
+          Real l[2, 2] = {{0.1, 0.2}, {0.3, 0.7}}*{{7, -2}, {-3, 1}} - {{0.1, 0}, {0, 0.1}};
+        equation
+          p1 - p2 = k*m*abs(m);
+          0 = n*abs(n);
+        end M;
+        """,
+        "utf-8",
+    )
+    assert build_fmu("M", tmp_path, library=[file]).path.exists()
