@@ -42,6 +42,7 @@ _LONGEST: Final = 60
 #: What may change variables at the start.
 _AT_THE_START: Final = frozenset(("reinit", "sample", "when"))
 
+#: Numbers of type Real, which are no sizes or subscripts.
 _REAL: Final = re.compile(r"(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?")
 
 Residual = Callable[[Moment], Sequence[tuple[Value, Value]]]
@@ -72,14 +73,8 @@ def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[s
     scales = _scales(moments)
     disturbed = [[one.disturbed(scales, number + 1) for number in range(_DISTURBED)] for one in moments]
     for text, residual in _equations(instances):
-        wrong = [
-            time
-            for time, is_wrong in (
-                (one.time, _differs(residual, one, others))
-                for one, others in zip(moments, disturbed, strict=True)
-            )
-            if is_wrong
-        ]
+        pairs = zip(moments, disturbed, strict=True)
+        wrong = [one.time for one, others in pairs if _differs(residual, one, others)]
         # A relation may be in doubt at one time.
         if len(wrong) > 1 or (wrong and len(moments) == 1):
             yield f"at time {wrong[0]:g}, the result of the FMU does not fulfil {text}"
