@@ -90,10 +90,11 @@ def package_fmu(
     run: DefaultRun | str = "it was not run, because this machine is not a known platform"
     if host is not None:
         run = run_default_experiment(libraries[host], host, model.description, token, version)
-    if not isinstance(run, str):
+    if isinstance(run, str):
+        log += f"default experiment: {run}\nThe results were not compared with the source.\n"
+    else:
         check_results(run.snapshots)
         run = run if run.outputs else "it has no outputs"
-    log += f"default experiment: {run}\n" if isinstance(run, str) else ""
     entries |= _documents(model.description, run)
     entries["documentation/licenses/license.txt"] = license_text(version, (*platforms, *modules)).encode()
     entries[ICONS[version]] = model_png(model.description)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from contextlib import ExitStack
 from os import PathLike
@@ -39,6 +40,8 @@ _FEWEST_OUTPUTS: Final = 200
 _MOST_KINKS: Final = 5000
 #: Relative difference of slopes that rounding can cause.
 _STRAIGHT: Final = 1e-9
+#: FMPy's functions that set values of discrete types.
+_DISCRETE_SETTER: Final = re.compile(r"fmi2Set(Integer|Boolean)|fmi3Set(U?Int\d+|Boolean)")
 #: Rounding errors of a time that CVode reaches, in spacings of numbers.
 _ROUNDINGS: Final = 16.0
 #: The part of a step by which the time of a sample may be wrong.
@@ -116,6 +119,7 @@ def run_model_exchange(
         signals = input_signals(description, table, float(instants[0])) if table.columns else None
         if signals is not None:
             apply_inputs_with_time(instance.fmi, model_description, signals)
+            keep_discrete_inputs_between_events(instance.fmi)
         rows = _simulate(
             instance,
             folder,
@@ -266,6 +270,37 @@ def apply_inputs_with_time(fmi: Any, model_description: Any, signals: NDArray[An
         inputs.apply(time, discrete=False)
 
     fmi.setTime = set_time_and_inputs
+
+
+def keep_discrete_inputs_between_events(fmi: Any) -> None:
+    """Set discrete inputs in Event Mode and before only, as the standard demands.
+
+    FMPy sets them, too, wherever CVode looks for events.
+
+    Args:
+        fmi: FMPy's object of the instance
+    """
+    is_continuous = False
+
+    def within(name: str, *, continuous: bool) -> None:
+        enter = getattr(fmi, name)
+
+        def entered() -> Any:
+            nonlocal is_continuous
+            is_continuous = continuous
+            return enter()
+
+        setattr(fmi, name, entered)
+
+    def outside(name: str) -> None:
+        set_values = getattr(fmi, name)
+        setattr(fmi, name, lambda *arguments: None if is_continuous else set_values(*arguments))
+
+    within("enterEventMode", continuous=False)
+    within("enterContinuousTimeMode", continuous=True)
+    for name in dir(fmi):
+        if _DISCRETE_SETTER.fullmatch(name):
+            outside(name)
 
 
 class _Inputs(Input):  # type: ignore[misc]  # FMPy has no types

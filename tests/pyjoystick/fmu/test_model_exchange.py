@@ -9,6 +9,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
+from fmu_build import FmiVersion
 from pyjoystick.fmu import (
     Fmu,
     FmuRunError,
@@ -144,6 +145,26 @@ def test_discrete_inputs(shared_fmus: SharedFmus) -> None:
     table = pd.DataFrame({"u": 1.0, "n": [7, 2, 2, 3, 3], "on": [False, True, True, True, True]}, index=index)
     changed = run_model_exchange(switched, [0.0, 0.5, 1.0], inputs=table)
     np.testing.assert_allclose(changed["x"], [0.0, 1.25, 2.75], atol=1e-9)
+
+
+@pytest.mark.parametrize("fmi_version", ["2.0", "3.0"])
+def test_discrete_inputs_beside_state_events(
+    fmi_version: FmiVersion, shared_fmus: SharedFmus, tmp_path: Path
+) -> None:
+    """FMPy sets discrete inputs wherever CVode looks for events, which the standard forbids."""
+    file = tmp_path / "Counted.mo"
+    file.write_text(
+        "model Counted input Integer n; input Boolean on; Real x(start = 0, fixed = true);"
+        " Boolean high = x > 0.4; equation der(x) = if on then 2*n else n; end Counted;",
+        "utf-8",
+    )
+    path = shared_fmus.fmu("Counted", file, fmi_version=fmi_version)
+    index = [0.0, 0.3000123, 0.70004]
+    table = pd.DataFrame({"n": [1, 1, 3], "on": [False, True, False]}, index=index)
+    run = run_model_exchange(path, np.linspace(0.0, 1.0, 11), inputs=table, outputs=["x", "high"])
+    end = index[1] + 2.0 * (index[2] - index[1]) + 3.0 * (1.0 - index[2])
+    assert run["x"].iloc[-1] == pytest.approx(end, abs=1e-9)
+    assert list(run["high"]) == [False] * 4 + [True] * 7
 
 
 def test_few_outputs_of_a_long_run(joystick_path: Path) -> None:
