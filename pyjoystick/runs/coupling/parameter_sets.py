@@ -161,11 +161,12 @@ def value_of(path: Path, parameter: Element) -> Value:
     """Value of a parameter in the archive `path`; raises InputFileError if it is not supported."""
     typed = next(iter(parameter), Element("}no type"))
     kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
+    number = text.replace("_", " ")  # XML has no digits in groups, as Python has
     try:
         if kind in ("Real", "Float64", "Float32"):
-            return float(text)
+            return float(number)
         if kind in INTEGERS:
-            return int(text)
+            return int(number)
         if kind == "Boolean":
             return {"true": True, "1": True, "false": False, "0": False}[text]
     except (KeyError, ValueError):

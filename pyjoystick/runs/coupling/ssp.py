@@ -10,7 +10,7 @@ from typing import Final
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element, SubElement
 
-from pyjoystick.fmu import FmuDescription, find_fmu, read_description
+from pyjoystick.fmu import FmuDescription, Value, find_fmu, read_description
 from pyjoystick.runs.coupling.parameter_sets import (
     NAMESPACES,
     ParameterNote,
@@ -287,7 +287,12 @@ def _component(path: Path, element: Element, folder: Path, read: Callable[[str],
         raise InputFileError(
             path, f"component {name!r}: its source {str(source)!r} is not an FMU in the archive"
         )
-    parameters = {one.get("name", ""): value_of(path, one) for one in bound_parameters(path, element, read)}
+    parameters: dict[str, Value] = {}
+    for one in bound_parameters(path, element, read):
+        parameter = one.get("name", "")
+        if parameter in parameters:
+            raise InputFileError(path, f"component {name!r}: has two values for parameter {parameter!r}")
+        parameters[parameter] = value_of(path, one)
     return Component(name, folder / source, parameters)
 
 

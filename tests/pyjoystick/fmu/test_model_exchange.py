@@ -233,7 +233,27 @@ def test_a_jump_late_in_time(joystick_path: Path, start: float, at: float) -> No
         np.testing.assert_allclose(exchange["theta"], fmu.run(time, **settings)["theta"], rtol=0, atol=1e-8)
 
 
-def test_an_event_that_fmpy_takes_for_a_sample_is_refused(joystick_path: Path) -> None:
-    """Its sample would belong to another time: here it is off by 5e-4 rad."""
-    with pytest.raises(SimulationError, match=r"recorded the event at 100000\.06.* times nearer to 0"):
-        run_model_exchange(joystick_path, 1e5 + np.linspace(0.0, 0.3, 301), parameters={"theta_start": -0.3})
+def test_an_event_beside_a_sample_late_in_time(joystick_path: Path) -> None:
+    """FMPy would record the event at 100000.06498 s instead of the sample 2e-5 s later."""
+    time = np.linspace(0.0, 0.3, 301)
+    settings = {"parameters": {"theta_start": -0.3}, "outputs": ["theta"]}
+    late = run_model_exchange(joystick_path, 1e5 + time, **settings)
+    with Fmu(joystick_path) as fmu:
+        np.testing.assert_allclose(late["theta"], fmu.run(time, **settings)["theta"], rtol=0.0, atol=2e-8)
+
+
+def test_a_time_event_before_a_sample_late_in_time(shared_fmus: SharedFmus, tmp_path: Path) -> None:
+    """FMPy would carry it out at the sample, 4e-4 s late."""
+    file = tmp_path / "Sched.mo"
+    file.write_text(
+        "model Sched parameter Real t0 = 0; Integer k(start = 0, fixed = true); discrete Real next(start = t0"
+        " + 0.07, fixed = true); Real x(start = 0, fixed = true); equation when time >= pre(next) then"
+        " k = pre(k) + 1; next = pre(next) + 0.07; end when; der(x) = k; end Sched;",
+        "utf-8",
+    )
+    start = 1e6
+    time = start + 4e-4 + 0.07 * np.arange(15)
+    run = run_model_exchange(shared_fmus.fmu("Sched", file), time, parameters={"t0": start}, outputs=["x"])
+    ticks = start + 0.07 * np.arange(1, 20)
+    expected = [np.clip(now - ticks, 0.0, None).sum() for now in time]
+    np.testing.assert_allclose(run["x"], expected, rtol=0.0, atol=1e-7)

@@ -207,6 +207,12 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
             r"not a whole SSP archive: .*a\.ssv",
         ),
         ('value="0.012"', 'value="heavy"', "parameter 'J': a value of Real 'heavy' is not supported"),
+        ('value="0.012"', 'value="0_012"', "parameter 'J': a value of Real '0_012' is not supported"),
+        (
+            '<ssv:Parameter name="J">',
+            '<ssv:Parameter name="J"><ssv:Real value="1.0" /></ssv:Parameter><ssv:Parameter name="J">',
+            "component 'joystick': has two values for parameter 'J'",
+        ),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
         ('startTime="0.0"', 'startTime="0.5"', r"DefaultExperiment: startTime = '0\.5': must be 0 s"),
