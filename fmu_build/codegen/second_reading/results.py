@@ -282,7 +282,10 @@ def _is_changed_at_the_start(instances: Instances) -> bool:
 
 
 def _other_starts(moment: Moment) -> Iterator[str]:
-    """Yield the variables that have other values at the start than those that are fixed."""
+    """Yield the states that have other values at the start than those that are fixed.
+
+    The start of a discrete variable is that of ``pre()``; an equation may give it another value at once.
+    """
     instances = moment.instances
     for path, leaf in instances.leaves.items():
         fixed, start = leaf.given.inner.get("fixed"), leaf.given.inner.get("start")
@@ -291,6 +294,7 @@ def _other_starts(moment: Moment) -> Iterator[str]:
         with suppress(UnknownError):
             scope = start.scope or instances.nowhere
             meant = start.spread(value_of(start.value, names_at(moment, scope)), leaf.sizes)
+            moment.of(path, "der")  # of a state
             found, is_fixed = moment.of(path), fixed.spread(instances.value(fixed), leaf.sizes)
             allowed = _ROUNDING * (1.0 + np.abs(meant))
             if meant.shape == found.shape and (is_fixed * np.abs(found - meant) > allowed).any():

@@ -222,14 +222,18 @@ def test_an_error_of_the_generator_ends_the_build(
     assert not [*tmp_path.glob("*.fmu")]
 
 
-def test_rounding_is_no_error(tmp_path: Path) -> None:
-    """What is left of zero has no digit that is right, in equations, in parameters and at a double root."""
+def test_rounding_and_initial_events_are_no_errors(tmp_path: Path) -> None:
+    """What is left of zero has no digit that is right, in equations, in parameters and at a double root.
+
+    Discrete variables may leave their start values at once.
+    """
     file = tmp_path / "M.mo"
     file.write_text(
         """
         model M
           parameter Real p1 = 1e5, p2 = 1e5, k = 2;
           Real m(start = 1), n(start = 1);
+          Integer mode(start = 3, fixed = true) = if pre(mode) == 3 then -1 else pre(mode);
           parameter Real a = 0.1, v[21] = {0.1*i for i in -10:10}, s = sum(v), e = 0.7^4 - 0.7*0.7*0.7*0.7;
           Real z = a^(-3) - 1/a^3;
           Real w = 0.1*3 - 0.3;
