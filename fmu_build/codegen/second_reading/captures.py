@@ -54,9 +54,9 @@ def unknown_declarations(instances: Variables) -> Iterator[Text]:
 
 
 def unknown_components(instances: Variables) -> Iterator[Text]:
-    """Yield the names of these components; those of outer ones mean others."""
+    """Yield the names of these components; those of outer ones mean others, no value needs a StateSelect."""
     for scope, component in _unknown_components(instances):
-        if "outer" not in component.prefixes:
+        if "outer" not in component.prefixes and component.type != "StateSelect":
             yield Text(scope, (component.name,))
 
 
