@@ -44,12 +44,6 @@ def whole(value: Value) -> int:
     return int(number)
 
 
-def remainder(tokens: Sequence[str], value: Value) -> float:
-    """Return what may be left of zero where an expression with this value adds up numbers of about 1."""
-    adds_up = {"+", "-"} & {*tokens[1:]} or "sum" in tokens or (value.ndim and "*" in tokens)
-    return 1e-14 if adds_up else 0.0
-
-
 def as_value(given: Any) -> Value:
     """Return numbers, perhaps nested, as a value; raises `UnknownError` if the rows differ in length."""
     try:

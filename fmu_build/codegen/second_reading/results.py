@@ -23,7 +23,7 @@ from fmu_build.codegen.second_reading.givens import Scope, as_written, joined
 from fmu_build.codegen.second_reading.instances import Instances
 from fmu_build.codegen.second_reading.known_variables import Leaf
 from fmu_build.codegen.second_reading.moments import Moment, names_at
-from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, remainder, scalar
+from fmu_build.codegen.second_reading.operations import UnknownError, Value, as_value, scalar
 from fmu_build.codegen.second_reading.references import points
 from fmu_build.codegen.second_reading.scopes import PREDEFINED, Library
 from fmu_build.codegen.second_reading.sections import Branches, Equation, Loop, Statement, statements
@@ -78,7 +78,7 @@ def mistaken_results(kept: bytes, model: str, rows: Sequence[Row]) -> Iterator[s
         # A relation may be in doubt at one time.
         if len(wrong) > 1 or (wrong and len(moments) == 1):
             yield f"at time {wrong[0]:g}, the result of the FMU does not fulfil {text}"
-    yield from _other_constants(moments[0])
+    yield from _other_constants(moments[0], disturbed[0])
     if not _is_changed_at_the_start(instances):
         yield from _other_starts(moments[0])
         for text, residual in _equations_of_sections(instances, is_initial=True):
@@ -260,19 +260,15 @@ def _zero_sum(flows: Sequence[tuple[str, int]]) -> Residual:
     return pairs
 
 
-def _other_constants(moment: Moment) -> Iterator[str]:
+def _other_constants(moment: Moment, disturbed: Sequence[Moment]) -> Iterator[str]:
     """Yield the parameters and constants that have other values at the start."""
-    instances = moment.instances
-    for path, leaf in instances.leaves.items():
+    for path, leaf in moment.instances.leaves.items():
         if not leaf.is_constant or not leaf.given.value or leaf.kind is PREDEFINED["String"]:
             continue
-        with suppress(UnknownError):
-            scope = leaf.given.scope or instances.nowhere
-            meant = leaf.given.spread(value_of(leaf.given.value, names_at(moment, scope)), leaf.sizes)
-            found = moment.of(path)
-            rest = remainder(leaf.given.value, meant)
-            if meant.shape == found.shape and not np.allclose(found, meant, rtol=_ROUNDING, atol=rest):
-                yield f"{path} is {_text(found)} in the FMU, and {_text(meant)} in the source"
+        residual = _declared(path, leaf)
+        if _differs(residual, moment, disturbed):
+            ((found, meant),) = residual(moment)
+            yield f"{path} is {_text(found)} in the FMU, and {_text(meant)} in the source"
 
 
 def _is_changed_at_the_start(instances: Instances) -> bool:

@@ -18,7 +18,7 @@ from fmu_build.codegen.modelica_source.text import blanked
 from fmu_build.codegen.second_reading.equations import mistaken_names, mistaken_numbers
 from fmu_build.codegen.second_reading.givens import Given, Text, as_written
 from fmu_build.codegen.second_reading.known_variables import Leaf, Variables
-from fmu_build.codegen.second_reading.operations import UnknownError, remainder
+from fmu_build.codegen.second_reading.operations import UnknownError
 from fmu_build.codegen.second_reading.residuals import value_differs
 from fmu_build.codegen.second_reading.syntax import TOKEN, Tokens
 from fmu_build.codegen.start_values import StartValues
@@ -66,8 +66,7 @@ def _differences(
         if not found and place in ("binding", "start") and attributes[place] is not None:
             found = [starts.given(variable, place, number) for number in range(len(variable["scalar_names"]))]
         with suppress(UnknownError):
-            value = instances.value(given)
-            meant, rest = [*value.flat], remainder(given.value, value)
+            meant, rest = [*instances.value(given).flat], _rest(given.value)
             if found and None not in found and len(meant) in (1, len(found)):
                 pairs = zip(found, meant if len(meant) > 1 else meant * len(found), strict=True)
                 yield from (
@@ -75,6 +74,12 @@ def _differences(
                     for a, b in pairs
                     if not math.isclose(a, b, rel_tol=_ROUNDING, abs_tol=rest)
                 )
+
+
+def _rest(tokens: Tokens) -> float:
+    """Return what may be left of zero in a value, other than that of a number; `results` is more exact."""
+    sign = tokens[:1] in (("-",), ("+",))
+    return 0.0 if len(tokens) == 1 + sign and tokens[-1][0].isdigit() else 1e-6
 
 
 def _in_attributes(

@@ -173,7 +173,8 @@ def _notes(table: LogTable, found: Mapping[str, Match], left_out: NDArray[np.int
         if last_part(heading.name) != heading.name:
             yield f"{heading.text!r} is read as {match.column.name}"
     for i, heading in enumerate(table.file.head.headings):
-        if meaning(last_part(heading.name)) in SYMBOLIC and i not in [one.index for one in found.values()]:
+        name = heading.name.partition("/")[0]  # of Force/dyn, whose unit is not known
+        if meaning(last_part(name)) in SYMBOLIC and i not in [one.index for one in found.values()]:
             yield f"{heading.text!r} is left alone: --column and --unit say what it is"
     if left_out.size:
         yield f"{len(left_out)} rows without a number are left out: {rows_in_words(left_out)}"

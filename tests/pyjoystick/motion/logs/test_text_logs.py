@@ -690,3 +690,11 @@ def test_a_sample_or_a_separator_is_lost_among_lines_with_empty_ones_between(
     log = read_log(written(tmp_path / "log.csv", "\n".join(spaced)), rate=250.0)
     assert len(log.series["time"]) == COUNT - lost
     assert log.series["time"][-1] == pytest.approx((COUNT - 1) / 250.0)
+
+
+@pytest.mark.parametrize("heading", ["Drehmoment/kgf.cm", "Drehmoment (kgf.cm)", "force/dyn", "T/gf.cm"])
+def test_a_torque_or_force_with_a_unit_that_is_not_known_is_noted(heading: str, tmp_path: Path) -> None:
+    path = written(tmp_path / "log.csv", text(("time (s)", "angle (deg)", heading), TIME, ANGLE, TORQUE))
+    log = read_log(path)
+    assert {*log.series} == {"time", "theta"}
+    assert f"{heading!r} is left alone: --column and --unit say what it is" in log.notes
