@@ -28,14 +28,14 @@ _INNER_CAPITAL: Final = re.compile(r"(?<=[a-z])(?=[A-Z])")
 #: The least part of the steps that must be equal in a column that counts, and the fewest steps.
 _USUAL: Final = 0.8
 _FEWEST: Final = 5
+_SAME: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True)
 class _Counter:
     """A column that counts: its usual step, and the places of its samples, from 0, if they are certain."""
 
-    heading: Heading
-    step: int
+    step: float
     places: NDArray[np.int64] | None
     first_fault: int
     """The first row that does not count on by the usual step; -1 if there is none."""
@@ -65,10 +65,9 @@ def counted_times(table: LogTable, rate: float, used: Collection[int]) -> tuple[
             if _numbers_samples(heading):
                 notes.append(f"{heading.text!r} does not count evenly: the rows are {rate:g} per second")
             continue
-        if counter.step > 1:
-            notes.append(
-                f"{heading.text!r} counts in steps of {counter.step}; the rows are {rate:g} per second"
-            )
+        if counter.step > 1.0 + _SAME and _numbers_samples(heading):
+            step = f"{heading.text!r} counts in steps of {counter.step:g}"
+            notes.append(f"{step}; the rows are {rate:g} per second")
         if counter.first_fault < 0 and not len(empty):
             continue
         if counter.places is not None and _numbers_samples(heading) and not followed:
@@ -95,7 +94,7 @@ def _numbers_samples(heading: Heading) -> bool:
 
 
 def _counter(table: LogTable, heading: Heading) -> _Counter | None:
-    """Return a column that counts, nearly always by the same whole number; None for another column."""
+    """Return a column that counts, nearly always by the same number; None for another column."""
     try:
         numbers = table.file.numbers(heading)
     except RecordError:
@@ -103,20 +102,18 @@ def _counter(table: LogTable, heading: Heading) -> _Counter | None:
     known = np.isfinite(numbers)
     steps = np.diff(numbers)
     steps = steps[np.isfinite(steps)]
-    if len(steps) < _FEWEST or (numbers[known] % 1.0).any():
-        return None
-    values, counts = np.unique(steps, return_counts=True)
-    usual, count = float(values[counts.argmax()]), int(counts.max())
-    if usual <= 0.0 or count < _USUAL * len(steps):
+    usual = float(np.median(steps)) if len(steps) >= _FEWEST else 0.0
+    if not usual or np.mean(np.abs(steps / usual - 1.0) < _SAME) < _USUAL:
         return None
     index = np.arange(len(numbers))
-    whole = np.interp(index, index[known], numbers[known]) / usual
-    all_steps = np.diff(whole)
-    faults = np.flatnonzero(np.abs(all_steps - 1.0) > 0.0)
+    counts = np.interp(index, index[known], numbers[known]) / usual
+    all_steps = np.diff(counts)
+    faults = np.flatnonzero(np.abs(all_steps - 1.0) > _SAME)
     places = None
-    if known[0] and known[-1] and (all_steps > 0.0).all() and not (all_steps % 1.0).any():
-        places = np.rint(whole - whole[0]).astype(np.int64)
-    return _Counter(heading, int(usual), places, int(faults[0]) + 1 if faults.size else -1)
+    is_whole = usual > 0.0 and not (numbers[known] % 1.0).any()
+    if is_whole and known[0] and known[-1] and (all_steps > 0.0).all() and not (all_steps % 1.0).any():
+        places = np.rint(counts - counts[0]).astype(np.int64)
+    return _Counter(usual, places, int(faults[0]) + 1 if faults.size else -1)
 
 
 def other_clocks(table: LogTable, found: Mapping[str, Match]) -> Iterator[str]:
