@@ -40,7 +40,7 @@ _NOISE: Final = 1e-7
 _LONGEST: Final = 60
 
 #: What may change variables at the start.
-_AT_THE_START: Final = frozenset(("reinit", "sample", "when"))
+_AT_THE_START: Final = frozenset(("change", "edge", "pre", "reinit", "sample", "when"))
 
 #: Numbers of type Real, which are no sizes or subscripts.
 _REAL: Final = re.compile(r"(\d+\.\d*|\.\d+|\d+(?=[eE]))([eE][+-]?\d+)?")

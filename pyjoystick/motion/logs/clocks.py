@@ -31,7 +31,7 @@ _FEWEST: Final = 5
 _SAME: Final = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class _Counter:
     """A column that counts: its usual step, and the places of its samples, from 0, if they are certain."""
 

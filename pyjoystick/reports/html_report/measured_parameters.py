@@ -37,7 +37,14 @@ def parameter_section(found: Measurements) -> Section:
     for side in SIDES:
         rows = [*_segment_rows(found, side), *_spring_rows(found, side)]
         caption = f"Springs, {side}: the curve of Table 1 and the two springs that it stands for. From: "
-        parts.append(TextTable(_HEADER[:-1], rows).html(f"{caption}{_curve_source(found, side)}.", texts=1))
+        caption += f"{_curve_source(found, side)}."
+        springs = (one for one in fmu_values(found.file) if one.table == side)
+        if side not in found.curves and any(uncertainty_of(found, one) is not None for one in springs):
+            caption += (
+                " The uncertainties of the two springs are upper bounds: the file does not contain the "
+                "correlations of x and k, with which they may be much smaller. Name the curve: --curve."
+            )
+        parts.append(TextTable(_HEADER[:-1], rows).html(caption, texts=1))
     words = (
         "A value ends with the last digit of its standard uncertainty. Where none is stated, the value is "
         "taken as it stands in the file, and nothing is known of its error."

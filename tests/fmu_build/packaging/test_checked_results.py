@@ -238,7 +238,15 @@ def test_rounding_and_initial_events_are_no_errors(tmp_path: Path) -> None:
           Real z = a^(-3) - 1/a^3;
           Real w = 0.1*3 - 0.3;
           Real l[2, 2] = {{0.1, 0.2}, {0.3, 0.7}}*{{7, -2}, {-3, 1}} - {{0.1, 0}, {0, 0.1}};
+          function hyp input Real x; output Real y; algorithm y := cosh(x)^2 - sinh(x)^2 - 1; end hyp;
+          parameter Real h = hyp(0.7), b = 0.1^(-3), c = 1/0.1^3, d = b - c, g = d*1e6;
+          Real x;
+          Integer i(start = 0, fixed = true);
+        initial equation
+          der(x) = 0;
         equation
+          i = if x > -1 then min(pre(i) + 1, 2) else pre(i);
+          der(x) = -x + pre(i);
           p1 - p2 = k*m*abs(m);
           0 = n*abs(n);
         end M;

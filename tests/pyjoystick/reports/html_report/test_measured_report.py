@@ -39,6 +39,7 @@ from pyjoystick.laboratory import (
 from pyjoystick.model import FORWARD_TABLE, NOMINAL, read_parameter_file, write_parameters
 from pyjoystick.reports import Measurements, Study, joystick_report, read_measurements
 from pyjoystick.reports.html_report.known_digits import with_uncertainty
+from pyjoystick.reports.html_report.measured_parameters import parameter_section
 from pyjoystick.reports.html_report.measured_sections import SECTIONS as MEASURED_SECTIONS
 from pyjoystick.reports.html_report.measurements import SwingTest, moved_joysticks
 from pyjoystick.reports.html_report.sections import SECTIONS
@@ -290,3 +291,11 @@ def test_the_budget_has_rows_with_numbers_and_says_what_is_exact(bench: Bench) -
     assert "zero, noise" not in text
     assert "m +- 0.001" in text
     assert "Taken as exact, because no uncertainty was given: b, time base." in text
+
+
+def test_without_the_curve_uncertainties_of_springs_are_said_to_be_bounds(bench: Bench, page: str) -> None:
+    """The file has no correlations of x and k, without which they may be hundreds of times too large."""
+    file = read_parameter_file(bench.parameters)
+    without = "".join(parameter_section(read_measurements(file)).parts)
+    assert "upper bounds: the file does not contain the correlations of x and k" in without
+    assert "upper bounds" not in page
