@@ -224,9 +224,9 @@ class _Reader:
             value = isolate(rows[row], previous[0]) if len(previous) == 1 else None
             if value is None or not given.issuperset(leaf for leaf in read if leaf != previous[0]):
                 raise self.model.unsupported(
-                    "an initial equation with a discrete variable, here or in what it needs, is supported only "
-                    "as pre(v) = ... of parameters and fixed states; give a fixed start value instead, or write "
-                    "the condition in the place of the Boolean",
+                    "an initial equation with a discrete variable, here or in what it needs, is supported "
+                    "only as pre(v) = ... of parameters and fixed states; give a fixed start value instead, "
+                    "or write the condition in the place of the Boolean",
                     initial_spans(self.model).get(row),
                 )
             yield sources[previous[0]], value

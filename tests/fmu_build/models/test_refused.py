@@ -62,7 +62,7 @@ REFUSALS = (
     Refusal("EarlyReturn", UnsupportedModelError, r"return"),
     Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),
     Refusal("Incomplete", ModelNotFoundError, r"partial"),
-    Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation for a discrete variable"),
+    Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation with a discrete variable"),
     Refusal("InputChange", ModelicaError, r"change\("),
     Refusal(
         "InputLimit", UnsupportedModelError, r"pre\(y\) is not supported, because it follows the input u"
