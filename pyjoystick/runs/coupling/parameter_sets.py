@@ -159,7 +159,10 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
 
 def value_of(path: Path, parameter: Element) -> Value:
     """Value of a parameter in the archive `path`; raises InputFileError if it is not supported."""
-    typed = next(iter(parameter), Element("}no type"))
+    values = [one for one in parameter if not one.tag.endswith("}Annotations")]
+    if len(values) > 1:
+        raise InputFileError(path, f"parameter {parameter.get('name')!r}: has {len(values)} values")
+    typed = next(iter(values), Element("}no type"))
     kind, text = typed.tag.rpartition("}")[2], typed.get("value", "")
     number = text.replace("_", " ")  # XML has no digits in groups, as Python has
     try:
