@@ -51,7 +51,8 @@ class Candidate:
         rows: the rows of data, all of one width
         empty: numbers of the empty lines between them, which have no cells
         numeric: indices of the columns of numbers
-        ragged: the first row of data of another width, or None
+        ragged: the first row of data of another width, or with a cell under no heading; or None
+        headed: the number of headings
         faults: non-numeric cells in columns of numbers, and ragged rows
         doubtful: whether every decimal mark may be a thousands separator
     """
@@ -63,6 +64,7 @@ class Candidate:
     empty: tuple[int, ...]
     numeric: tuple[int, ...]
     ragged: Row | None
+    headed: int
     faults: int
     doubtful: bool
 
@@ -76,7 +78,7 @@ class Candidate:
         if self.ragged is not None:
             number, cells = self.ragged
             advice = "was the file cut off, or are the decimal marks commas?"
-            reason = f"has {len(cells)} cells under {width} headings"
+            reason = f"has {len(cells)} cells under {self.headed} headings"
             raise RecordError(str(path), reason, advice, rows=[number])
         units = self.names[1][1] if len(self.names) > 1 else [""] * width
         texts = self.names[0][1] if self.names else [""] * width
@@ -133,6 +135,10 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         return None
     used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
     ragged = [row for row in rows[first:] if len(row[1]) != width]
+    headed = max(
+        (len(cells) for number, cells in above for name in names if number == name[0]), default=width
+    )
+    unheaded = [row for row in data if any(row[1][headed:])]
     columns = [i for i in used if numeric[i]]
     marked = [
         cells[i]
@@ -147,8 +153,9 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         [(number, [cells[i] for i in used]) for number, cells in data],
         tuple(number for number in empty if data[0][0] < number < data[-1][0]),
         tuple(used.index(i) for i in columns),
-        ragged[0] if ragged else None,
-        int(bad[start:].sum()) + len(ragged),
+        min([*ragged[:1], *unheaded[:1]], default=None),
+        headed if unheaded else len(used),
+        int(bad[start:].sum()) + len(ragged) + len(unheaded),
         bool(marked) and all(_THOUSANDS.fullmatch(cell) for cell in marked),
     )
 

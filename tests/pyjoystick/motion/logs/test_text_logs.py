@@ -698,3 +698,21 @@ def test_a_torque_or_force_with_a_unit_that_is_not_known_is_noted(heading: str, 
     log = read_log(path)
     assert {*log.series} == {"time", "theta"}
     assert f"{heading!r} is left alone: --column and --unit say what it is" in log.notes
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        "time (ms),angle (deg)\n0,20,00\n10,18,54\n20,-0,52\n30,1,25\n",
+        '"angle (deg)","torque (N.m)"\n"1",20.0,0.5\n"2",18.5,0.5\n"3",15.5,0.5\n',
+    ],
+)
+def test_cells_under_no_heading_are_refused(content: str, tmp_path: Path) -> None:
+    """Decimal commas between commas, and the numbers of rows that R writes."""
+    with pytest.raises(RecordError, match=r"row 2: has 3 cells under 2 headings; .* decimal marks commas"):
+        read_log(written(tmp_path / "log.csv", content), rate=100.0)
+
+
+def test_an_empty_cell_under_no_heading_is_left_out(tmp_path: Path) -> None:
+    content = text(("time (s)", "angle (deg)"), TIME, ANGLE).replace("\n", ",\n").replace(",\n", "\n", 1)
+    assert len(read_log(written(tmp_path / "log.csv", content)).series["time"]) == COUNT
