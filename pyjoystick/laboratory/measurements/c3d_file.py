@@ -106,6 +106,14 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
             rows=range(first + present, first + frames),
             value=f"{len(data)} bytes, {start + frames * words * size} needed",
         )
+    if frames < head.frames_in_header <= present and head.header[4] != _LAST_FRAME:
+        raise RecordError(
+            head.source,
+            f"declares {frames} frames, but {head.frames_in_header} in its header, and has them",
+            "is the file damaged? Export it again",
+            column="POINT:FRAMES",
+            rows=[first + frames],
+        )
     end = start + frames * words * size
     clipped = _LAST_FRAME in (frames, first + frames - 1) and head.value("ROTATION:USED", 0.0) == 0.0
     if clipped and len(data) - end >= BLOCK:

@@ -129,8 +129,12 @@ class C3dHead:
             if all(len(pair) == 2 for pair in words):
                 first, last = (int(low) + 0x10000 * int(high) for low, high in words)
                 return last - first + 1
-        in_header = self.header[4] - self.header[3] + 1
-        return int(self.value("POINT:LONG_FRAMES", self.value("POINT:FRAMES", in_header)))
+        return int(self.value("POINT:LONG_FRAMES", self.value("POINT:FRAMES", self.frames_in_header)))
+
+    @property
+    def frames_in_header(self) -> int:
+        """Number of frames by the header, whose words end at 65535."""
+        return self.header[4] - self.header[3] + 1
 
 
 def read_c3d_head(source: str, data: bytes) -> C3dHead:

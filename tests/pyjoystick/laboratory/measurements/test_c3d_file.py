@@ -123,6 +123,19 @@ def test_frames_beyond_the_largest_number_of_them_are_not_lost_in_silence(tmp_pa
         read_c3d(file)
 
 
+def test_a_number_of_frames_that_contradicts_the_header_is_refused(tmp_path: Path) -> None:
+    """A flipped bit in POINT:FRAMES would drop frames."""
+    file = tmp_path / "a.c3d"
+    write_c3d(file, ["TOP"], np.arange(900.0).reshape(300, 1, 3), rate=60.0)
+    data = bytearray(file.read_bytes())
+    place = data.index(b"FRAMES") + 6 + 2 + 1 + 1  # offset, type, number of dimensions
+    assert int.from_bytes(data[place : place + 2], "little") == 300
+    data[place : place + 2] = (268).to_bytes(2, "little")
+    file.write_bytes(data)
+    with pytest.raises(RecordError, match=r"row 269: declares 268 frames, but 300 in its header"):
+        read_c3d(file)
+
+
 def test_what_is_no_c3d_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "a.c3d"
     file.write_text("time,theta\n", encoding="utf-8")
