@@ -263,4 +263,10 @@ DECLARATIONS = (
         (r"\btype\s+\w+\s*=\s*enumeration\b",),
         only_there=True,
     ),
+    Meaning(
+        r"missing source context: .* for component binding type compatibility",
+        UnsupportedModelError,
+        "the compiler takes a value for one of another type than its parameter; if it is of the same type, a "
+        "name in it is also that of an element of the component that it is given to: rename one of them",
+    ),
 )

@@ -30,6 +30,11 @@ _VALID = {
         "partial connector P0 Real v; end P0; connector P extends P0; flow Real i; end P;" + _V,
         _CONNECTOR + "0 potential variable(s): ",
     ),
+    "a name of the component in a value that is given to it": (
+        "model L parameter Boolean a = false; parameter Real p[2] = {1, 1}; parameter Real g = p[2]; end L;"
+        "model D parameter Real a[2] = {1, 2}; L x(p = a); end D; model M D u; end M;",
+        "the compiler takes a value for one of another type than its parameter",
+    ),
     "a parameter in a connector": (
         "connector P parameter Real q = 1; Real v; flow Real i; end P;" + _V,
         "M.mo:1:1: the " + _CONNECTOR + "2",
