@@ -13,6 +13,8 @@ from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.motion import RecordError
 from pyjoystick.support import FloatArray
 
+#: Relative difference of two frame rates that are meant to be one.
+_SAME_RATE: Final = 0.01
 #: Largest frame number that fits into one word.
 _LAST_FRAME: Final = 0xFFFF
 #: In a point's fourth word, the lower byte is the residual and the upper one a mask of the cameras.
@@ -76,6 +78,10 @@ def _rate(head: C3dHead) -> float:
     if not (math.isfinite(rate) and rate > 0.0):
         advice = "a rate in Hz is needed: export the file again"
         raise RecordError(head.source, "has no frame rate", advice, column="POINT:RATE", value=rate)
+    other = head.header_rate
+    if math.isfinite(other) and other > 0.0 and abs(other / rate - 1.0) > _SAME_RATE:
+        reason = f"has two frame rates: {rate:.6g} Hz, and {other:.6g} Hz in its header"
+        raise RecordError(head.source, reason, "is the file damaged? Export it again", column="POINT:RATE")
     return rate
 
 

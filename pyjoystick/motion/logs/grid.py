@@ -35,6 +35,7 @@ _SECOND: Final = datetime.timedelta(seconds=1)
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
 #: What a wrong delimiter leaves between two cells.
 _JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
+_UNNAMED: Final = re.compile(r"Unnamed: \d+")
 _ERRORS: Final = ("#n/a", "#nv", "#div/0!", "#num!", "#value!", "nat", "<na>")
 _NOTHING: Final = (*EMPTY, *_ERRORS)
 _EMPTY_CELL, _NUMBER_CELL, _TEXT_CELL = range(3)
@@ -51,7 +52,7 @@ class Candidate:
         rows: the rows of data, all of one width
         empty: numbers of the empty lines between them, which have no cells
         numeric: indices of the columns of numbers
-        ragged: the first row of data of another width, or with a cell under no heading; or None
+        ragged: the first row of data of another width, or with a number under no heading; or None
         headed: the number of headings
         faults: non-numeric cells in columns of numbers, and ragged rows
         doubtful: whether every decimal mark may be a thousands separator
@@ -135,10 +136,9 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         return None
     used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
     ragged = [row for row in rows[first:] if len(row[1]) != width]
-    headed = max(
-        (len(cells) for number, cells in above for name in names if number == name[0]), default=width
-    )
-    unheaded = [row for row in data if any(row[1][headed:])]
+    # In a sheet, a column has its place even without a heading.
+    headed = _headed_columns(names[0][1]) if names and delimiter else width
+    unheaded = [row for row in data if any(row[1][i] and numeric[i] for i in range(headed, width))]
     columns = [i for i in used if numeric[i]]
     marked = [
         cells[i]
@@ -222,6 +222,11 @@ def _names(above: Sequence[Row], remarks: Sequence[Row], width: int) -> tuple[Ro
     if len(last) == 2 and _is_units(last[1][1]) and _is_heading(last[0][1], width):
         return last[0], last[1]
     return (last[-1],) if _is_heading(last[-1][1], width) and len(above[-1][1]) >= width - 1 else None
+
+
+def _headed_columns(headings: Sequence[str]) -> int:
+    """Number of columns up to the last one with a heading; pandas calls one without ``Unnamed: 3``."""
+    return max(i + 1 for i, cell in enumerate(headings) if cell and not _UNNAMED.fullmatch(cell))
 
 
 def _is_heading(cells: Sequence[str], width: int) -> bool:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import importlib
+import pickle
+import subprocess
+import sys
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
@@ -17,6 +20,8 @@ from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
 
 _LONGEST: Final = 10_000_000
+#: In which a MATLAB file is read, or not at all.
+_SECONDS: Final = 120.0
 
 
 def form_of(path: Path, head: bytes) -> str:
@@ -116,29 +121,21 @@ def _parquet(path: Path) -> dict[str, pd.DataFrame]:
     return {"": _headed({str(name): frame[name] for name in frame.columns})}
 
 
-def _matlab(path: Path) -> dict[str, pd.DataFrame]:
-    from scipy.io import loadmat
-
-    found = loadmat(path, simplify_cells=True)
-    return _tables({name: value for name, value in found.items() if not name.startswith("__")})
+def _matlab(path: Path, form: str = "matlab") -> dict[str, pd.DataFrame]:
+    """Tables in a MATLAB file, which another process reads, because a damaged one can end it."""
+    script = Path(__file__).with_name("matlab_script.py")
+    command = [sys.executable, "-P", str(script), form, str(path)]
+    done = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_SECONDS, check=False
+    )
+    if done.returncode != 0:
+        lines = done.stderr.decode(errors="replace").strip().splitlines()
+        raise ValueError(lines[-1] if lines and done.returncode == 1 else "it is damaged")
+    return _tables(pickle.loads(done.stdout))  # of this project's script
 
 
 def _matlab_7_3(path: Path) -> dict[str, pd.DataFrame]:
-    import h5py
-
-    def values(group: Any) -> dict[str, Any]:
-        found = {}
-        for name, one in group.items():
-            if name.startswith("#"):
-                continue
-            if isinstance(one, h5py.Group):
-                found[name] = values(one)
-            elif one.dtype.kind in "iufb" and one.attrs.get("MATLAB_class", b"double") != b"char":
-                found[name] = np.squeeze(one[()].T)
-        return found
-
-    with h5py.File(path) as file:
-        return _tables(values(file))
+    return _matlab(path, "matlab 7.3")
 
 
 def _tables(variables: Mapping[str, Any]) -> dict[str, pd.DataFrame]:

@@ -154,6 +154,10 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
         if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
+        for one in content.iter():
+            if one.tag.rpartition("}")[2] == "Parameter" and one.tag != tag("ssv:Parameter"):
+                reason = f"parameters in the unknown namespace {one.tag.rpartition('}')[0].lstrip('{')!r}"
+                raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
         yield from content.iterfind(".//ssv:Parameter", NAMESPACES)
 
 

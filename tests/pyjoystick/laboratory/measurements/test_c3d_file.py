@@ -136,6 +136,16 @@ def test_a_number_of_frames_that_contradicts_the_header_is_refused(tmp_path: Pat
         read_c3d(file)
 
 
+def test_two_frame_rates_are_refused(tmp_path: Path) -> None:
+    file = tmp_path / "a.c3d"
+    write_c3d(file, ["TOP"], np.arange(900.0).reshape(300, 1, 3), rate=60.0)
+    data = bytearray(file.read_bytes())
+    data[20:24] = np.array([30.0], dtype="<f4").tobytes()
+    file.write_bytes(data)
+    with pytest.raises(RecordError, match=r"has two frame rates: 60 Hz, and 30 Hz in its header"):
+        read_c3d(file)
+
+
 def test_what_is_no_c3d_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "a.c3d"
     file.write_text("time,theta\n", encoding="utf-8")

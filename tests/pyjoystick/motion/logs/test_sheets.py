@@ -274,3 +274,13 @@ def test_a_missing_package_is_named(
     package = {"odf": "odfpy"}.get(module, module)
     with pytest.raises(RecordError, match=rf"pip install {package}, or pip install 'pyjoystick\[{extra}\]'"):
         read_log(path)
+
+
+def test_a_damaged_matlab_file_that_crashes_its_reader_is_refused(tmp_path: Path) -> None:
+    """One bit says that the numbers are complex: scipy reads beyond them."""
+    path = _matlab(tmp_path / "log.mat", "5", {"time_s": TIME, "theta_deg": ANGLE})
+    data = bytearray(path.read_bytes())
+    data[145] ^= 0x08
+    path.write_bytes(data)
+    with pytest.raises(RecordError, match=r"log\.mat: cannot be read as matlab: it is damaged"):
+        read_log(path)

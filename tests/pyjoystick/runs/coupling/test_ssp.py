@@ -218,6 +218,11 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
             '<ssv:Parameter name="J"><ssv:Real value="1.0" />',
             "parameter 'J': has 2 values",
         ),
+        (
+            "SystemStructureParameterValues",
+            "SystemStructureParameterValuez",
+            "component 'joystick': parameters in the unknown namespace 'http.*Valuez'",
+        ),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
         ('startTime="0.0"', 'startTime="0.5"', r"DefaultExperiment: startTime = '0\.5': must be 0 s"),
