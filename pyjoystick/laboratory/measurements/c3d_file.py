@@ -91,6 +91,9 @@ def _scale(head: C3dHead) -> float:
     if not math.isfinite(scale) or scale == 0.0:
         advice = "is the file damaged? Export it again"
         raise RecordError(head.source, "has no scale of points", advice, column="POINT:SCALE", value=scale)
+    if math.isfinite(head.header_scale) and head.header_scale * scale < 0.0:
+        reason = f"has two scales of points: {scale:.6g}, and {head.header_scale:.6g} in its header"
+        raise RecordError(head.source, reason, "is the file damaged? Export it again", column="POINT:SCALE")
     return scale
 
 

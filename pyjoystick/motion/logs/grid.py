@@ -35,6 +35,7 @@ _SECOND: Final = datetime.timedelta(seconds=1)
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
 #: What a wrong delimiter leaves between two cells.
 _JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
+_DIGIT: Final = re.compile(r"\d")
 _UNNAMED: Final = re.compile(r"Unnamed: \d+")
 _ERRORS: Final = ("#n/a", "#nv", "#div/0!", "#num!", "#value!", "nat", "<na>")
 _NOTHING: Final = (*EMPTY, *_ERRORS)
@@ -138,7 +139,7 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     ragged = [row for row in rows[first:] if len(row[1]) != width]
     # In a sheet, a column has its place even without a heading.
     headed = _headed_columns(names[0][1]) if names and delimiter else width
-    unheaded = [row for row in data if any(row[1][i] and numeric[i] for i in range(headed, width))]
+    unheaded = [row for row in data if any(map(_DIGIT.search, row[1][headed:]))]
     columns = [i for i in used if numeric[i]]
     marked = [
         cells[i]

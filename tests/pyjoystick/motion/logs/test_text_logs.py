@@ -704,6 +704,8 @@ def test_a_torque_or_force_with_a_unit_that_is_not_known_is_noted(heading: str, 
     "content",
     [
         "time (ms),angle (deg)\n0,20,00\n10,18,54\n20,-0,52\n30,1,25\n",
+        "time (ms),angle (deg)\n0,3,18.00\n10,3,17.70\n20,2,15.20\n",
+        "time (ms),angle (deg)\n0,0,18.0 deg\n10,1,17.7 deg\n20,2,15.2 deg\n",
         "time (ms),angle (deg),\n0,20,00,\n10,18,54,\n20,-0,52,\n30,1,25,\n",
         "time (ms),angle (deg),Unnamed: 2\n0,20,00\n10,18,54\n20,-0,52\n30,1,25\n",
         '"angle (deg)","torque (N.m)"\n"1",20.0,0.5\n"2",18.5,0.5\n"3",15.5,0.5\n',
