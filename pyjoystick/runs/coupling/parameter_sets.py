@@ -25,6 +25,58 @@ NAMESPACES: Final = {
     "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
 }
 _BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
+#: The elements of the standards 1.0 and 2.0, by their namespace.
+_ELEMENTS_OF: Final = {
+    NAMESPACES["ssd"]: frozenset(
+        (
+            *("Annotations", "Component", "Connection", "ConnectionGeometry", "Connections", "Connector"),
+            *(
+                "ConnectorGeometry",
+                "Connectors",
+                "DefaultExperiment",
+                "ElementGeometry",
+                "Elements",
+                "Enumerations",
+            ),
+            *(
+                "GraphicalElements",
+                "MetaData",
+                "Note",
+                "ParameterBinding",
+                "ParameterBindings",
+                "ParameterMapping",
+            ),
+            *("ParameterValues", "Signature", "SignalDictionaries", "SignalDictionary"),
+            *("SignalDictionaryReference", "System", "SystemGeometry", "SystemStructureDescription", "Units"),
+        )
+    ),
+    NAMESPACES["ssv"]: frozenset(
+        (
+            *(
+                "Annotations",
+                "Binary",
+                "Boolean",
+                "Clock",
+                "Dimension",
+                "Enumeration",
+                "Enumerations",
+                "Float32",
+            ),
+            *(
+                "Float64",
+                "Int16",
+                "Int32",
+                "Int64",
+                "Int8",
+                "Integer",
+                "MetaData",
+                "Parameter",
+                "ParameterSet",
+            ),
+            *("Parameters", "Real", "String", "UInt16", "UInt32", "UInt64", "UInt8", "Units"),
+        )
+    ),
+}
 #: One name for the values of all components, because ecos applies only the sets of a given name.
 _PARAMETERS: Final = "parameters"
 _SET_TYPE: Final = "application/x-ssp-parameter-set"
@@ -154,11 +206,21 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
         if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
+        require_known(path, content)
         for one in content.iter():
             if one.tag.rpartition("}")[2] == "Parameter" and one.tag != tag("ssv:Parameter"):
                 reason = f"parameters in the unknown namespace {one.tag.rpartition('}')[0].lstrip('{')!r}"
                 raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
         yield from content.iterfind(".//ssv:Parameter", NAMESPACES)
+
+
+def require_known(path: Path, root: Element) -> None:
+    """Raise `InputFileError` for an element of SSP that the standard does not have, perhaps misspelled."""
+    for one in root.iter():
+        space, _, name = str(one.tag).rpartition("}")
+        known = _ELEMENTS_OF.get(space.lstrip("{"))
+        if known is not None and name not in known:
+            raise InputFileError(path, f"has an element {name!r}, which SSP does not have")
 
 
 def value_of(path: Path, parameter: Element) -> Value:

@@ -21,6 +21,7 @@ from pyjoystick.runs.coupling.parameter_sets import (
     bound_parameters,
     parameter_set,
     parameter_set_xml,
+    require_known,
     tag,
     value_of,
     xml_file,
@@ -39,6 +40,7 @@ from pyjoystick.support import (
     version_of,
 )
 
+_OF_EXPERIMENT: Final = frozenset(("description", "id", "startTime", "stopTime"))
 _FMU_TYPE: Final = "application/x-fmu-sharedlibrary"
 #: Elements that the schema does not allow to be empty.
 _LISTS: Final = ("ssd:Connectors", "ssd:Elements", "ssd:Connections", "ssd:Units")
@@ -252,8 +254,11 @@ def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], byt
     top = root.find("ssd:System", NAMESPACES)
     if top is None:
         raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
+    require_known(path, root)
     _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
+    for name in set() if experiment is None else {*experiment.attrib} - _OF_EXPERIMENT:
+        raise InputFileError(path, f"DefaultExperiment: {name!r} is not one of its attributes")
     return CoupledSystem(
         name=top.get("name", root.get("name", path.stem)),
         description=top.get("description", ""),
