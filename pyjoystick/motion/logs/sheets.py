@@ -125,9 +125,12 @@ def _matlab(path: Path, form: str = "matlab") -> dict[str, pd.DataFrame]:
     """Tables in a MATLAB file, which another process reads, because a damaged one can end it."""
     script = Path(__file__).with_name("matlab_script.py")
     command = [sys.executable, "-P", str(script), form, str(path)]
-    done = subprocess.run(
-        command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_SECONDS, check=False
-    )
+    try:
+        done = subprocess.run(
+            command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_SECONDS, check=False
+        )
+    except subprocess.TimeoutExpired as error:
+        raise ValueError(f"that takes more than {_SECONDS:g} s") from error
     if done.returncode != 0:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
         raise ValueError(lines[-1] if lines and done.returncode == 1 else "it is damaged")
