@@ -206,7 +206,8 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
         if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
-        require_known(path, content)
+        if content is not binding:  # which is part of what is known already
+            require_known(path, content)
         for one in content.iter():
             if one.tag.rpartition("}")[2] == "Parameter" and one.tag != tag("ssv:Parameter"):
                 reason = f"parameters in the unknown namespace {one.tag.rpartition('}')[0].lstrip('{')!r}"
@@ -215,12 +216,14 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
 
 
 def require_known(path: Path, root: Element) -> None:
-    """Raise `InputFileError` for an element of SSP that the standard does not have, perhaps misspelled."""
-    for one in root.iter():
-        space, _, name = str(one.tag).rpartition("}")
-        known = _ELEMENTS_OF.get(space.lstrip("{"))
-        if known is not None and name not in known:
-            raise InputFileError(path, f"has an element {name!r}, which SSP does not have")
+    """Raise `InputFileError` for an element that SSP does not have, outside of annotations."""
+    space, _, name = str(root.tag).rpartition("}")
+    if name == "Annotation":
+        return
+    if not space or name not in _ELEMENTS_OF.get(space.lstrip("{"), (name,)):
+        raise InputFileError(path, f"has an element {name!r}, which SSP does not have")
+    for one in root:
+        require_known(path, one)
 
 
 def value_of(path: Path, parameter: Element) -> Value:
