@@ -146,6 +146,16 @@ def test_two_frame_rates_are_refused(tmp_path: Path) -> None:
         read_c3d(file)
 
 
+def test_scales_of_reals_and_of_integers_are_refused(tmp_path: Path) -> None:
+    file = tmp_path / "a.c3d"
+    write_c3d(file, ["TOP"], np.arange(900.0).reshape(300, 1, 3), rate=60.0)
+    data = bytearray(file.read_bytes())
+    data[12:16] = np.array([1.0], dtype="<f4").tobytes()
+    file.write_bytes(data)
+    with pytest.raises(RecordError, match=r"has two scales of points: -1, and 1 in its header"):
+        read_c3d(file)
+
+
 def test_what_is_no_c3d_file_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "a.c3d"
     file.write_text("time,theta\n", encoding="utf-8")
