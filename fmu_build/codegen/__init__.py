@@ -62,7 +62,7 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         starts = StartValues(lowered)
         variables = extended.marked(VariableReader(lowered, equations, starts, baked, left_out).read())
     structure = Structure(equations, variables)
-    written_in = modelica_texts(lowered, equations)
+    texts = modelica_texts(lowered, equations)
     written = with_values_from_before(equations)
     tangents, notes = _tangents(equations, variables)
     description = ModelDescription(
@@ -72,15 +72,15 @@ def generate(source: ModelSource, sensitivity: SensitivityRequest | None = None)
         outputs=structure.outputs(),
         derivatives=structure.derivatives(),
         initial_unknowns=structure.initial_unknowns(),
-        event_indicators=tuple(map(written_in.text, equations.relations.roots)),
+        event_indicators=tuple(map(texts.text, equations.relations.roots)),
         default_experiment=default_experiment(lowered),
         documentation=documentation(lowered),
         terminals=terminals(lowered),
         has_directional_derivatives=tangents is not None,
     )
     c_source = write_model(lowered, written, variables, starts, functions.sources(), tangents)
-    texts = kept_texts([text for _, text in lowered.sources.values()])
-    return GeneratedModel(description, c_source, notes + unchecked, texts)
+    kept = kept_texts([text for _, text in lowered.sources.values()])
+    return GeneratedModel(description, c_source, notes + unchecked, kept)
 
 
 def check_results(model: GeneratedModel, rows: Sequence[Row]) -> None:

@@ -84,6 +84,26 @@ class Names(Protocol):
         """Return a member of the record that a function or constructor has returned."""
 
 
+class NotRandom:
+    """The part of `Names` that is the same wherever no value is random."""
+
+    __slots__ = ()
+
+    @property
+    def is_smooth(self) -> bool:
+        """Return False."""
+        return False
+
+    def is_random(self, reference: Chosen) -> bool:
+        """Return False."""
+        del reference
+        return False
+
+    def applied(self, operator: str, reference: Chosen) -> Value:
+        """Raise `UnknownError`."""
+        raise UnknownError
+
+
 def tree_of(tokens: Tokens) -> Expression:
     """Return the tree of an expression; raises `UnknownError` if it is not understood."""
     try:

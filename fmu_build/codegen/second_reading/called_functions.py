@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, value_of
+from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, NotRandom, value_of
 from fmu_build.codegen.second_reading.functions import Function
 from fmu_build.codegen.second_reading.gathered import indexed, leaves_in
 from fmu_build.codegen.second_reading.known_variables import Variables
@@ -76,17 +76,12 @@ def sizes_of_result(
 
 
 @dataclass(frozen=True, slots=True)
-class _Names:
+class _Names(NotRandom):
     """What names mean in declarations of a function: its arguments, or what they mean otherwise."""
 
     variables: Variables
     given: Mapping[str, Value]
     others: Names
-    is_smooth: bool = False
-
-    def is_random(self, reference: Chosen) -> bool:
-        del reference
-        return False
 
     def value(self, reference: Chosen) -> Value:
         ((name, subscripts), *further) = reference
@@ -100,9 +95,6 @@ class _Names:
 
     def sizes(self, reference: Chosen) -> Sequence[int]:
         return self.value(reference).shape
-
-    def applied(self, operator: str, reference: Chosen) -> Value:
-        raise UnknownError
 
     def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
         return self.others.member(name, result, members)

@@ -12,7 +12,14 @@ from typing import Final
 
 import numpy as np
 
-from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, chosen_of, results_of, value_of
+from fmu_build.codegen.second_reading.arithmetic import (
+    Chosen,
+    Names,
+    NotRandom,
+    chosen_of,
+    results_of,
+    value_of,
+)
 from fmu_build.codegen.second_reading.called_functions import all_arguments, variables_of
 from fmu_build.codegen.second_reading.functions import Function, function_of
 from fmu_build.codegen.second_reading.gathered import flattened, indexed, leaves_in
@@ -96,18 +103,13 @@ def _constructed(
 
 
 @dataclass(frozen=True, slots=True)
-class _Locals:
+class _Locals(NotRandom):
     """What names mean in a function: its variables with their present values, and constants."""
 
     variables: Variables
     scope: Scope
     values: Mapping[str, Value]
     depth: int = 0
-    is_smooth: bool = False
-
-    def is_random(self, reference: Chosen) -> bool:
-        del reference
-        return False
 
     def value(self, reference: Chosen) -> Value:
         ((name, subscripts), *further) = reference
@@ -119,9 +121,6 @@ class _Locals:
 
     def sizes(self, reference: Chosen) -> Sequence[int]:
         return self.value(reference).shape
-
-    def applied(self, operator: str, reference: Chosen) -> Value:
-        raise UnknownError
 
     def called(
         self, name: str, arguments: Sequence[Value], named: Mapping[str, Value], place: int

@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 
-from fmu_build.codegen.second_reading.arithmetic import Chosen, value_of
+from fmu_build.codegen.second_reading.arithmetic import Chosen, NotRandom, value_of
 from fmu_build.codegen.second_reading.functions import function_of
 from fmu_build.codegen.second_reading.gathered import gathered, sizes_of
 from fmu_build.codegen.second_reading.givens import (
@@ -58,25 +58,17 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class _Names:
+class _Names(NotRandom):
     """What names mean in a scope."""
 
     instances: Variables
     scope: Scope
-
-    is_smooth: bool = False
-
-    def is_random(self, reference: Chosen) -> bool:
-        return False
 
     def value(self, reference: Chosen) -> Value:
         return self.instances.named(reference, self.scope)
 
     def sizes(self, reference: Chosen) -> Sequence[int]:
         return self.instances.sizes_of(reference, self.scope)
-
-    def applied(self, operator: str, reference: Chosen) -> Value:
-        raise UnknownError
 
     def member(self, name: str, result: Value, members: Sequence[str]) -> Value:
         raise UnknownError

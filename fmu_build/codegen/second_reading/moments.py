@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from fmu_build.codegen.second_reading.arithmetic import Chosen, Names
+from fmu_build.codegen.second_reading.arithmetic import Chosen, Names, NotRandom
 from fmu_build.codegen.second_reading.carried_out import member_of_result, result_of_call
 from fmu_build.codegen.second_reading.gathered import gathered, indexed
 from fmu_build.codegen.second_reading.givens import Scope
@@ -81,16 +81,11 @@ def names_at(
 
 
 @dataclass(frozen=True, slots=True)
-class _Names:
+class _Names(NotRandom):
     moment: Moment
     scope: Scope
     assigned: Set[str]
     values: Mapping[str, Value]
-    is_smooth: bool = False
-
-    def is_random(self, reference: Chosen) -> bool:
-        del reference
-        return False
 
     def value(self, reference: Chosen) -> Value:
         instances = self.moment.instances

@@ -13,6 +13,7 @@ from pyjoystick.laboratory.measurements.markers import Markers, length_factor
 from pyjoystick.motion import RecordError
 from pyjoystick.support import FloatArray
 
+_DAMAGED: Final = "is the file damaged? Export it again"
 #: Relative difference of two frame rates that are meant to be one.
 _SAME_RATE: Final = 0.01
 #: Largest frame number that fits into one word.
@@ -81,7 +82,7 @@ def _rate(head: C3dHead) -> float:
     other = head.header_rate
     if math.isfinite(other) and other > 0.0 and abs(other / rate - 1.0) > _SAME_RATE:
         reason = f"has two frame rates: {rate:.6g} Hz, and {other:.6g} Hz in its header"
-        raise RecordError(head.source, reason, "is the file damaged? Export it again", column="POINT:RATE")
+        raise RecordError(head.source, reason, _DAMAGED, column="POINT:RATE")
     return rate
 
 
@@ -89,11 +90,10 @@ def _scale(head: C3dHead) -> float:
     """Scale of integers, in the file's unit; negative if the frames contain reals."""
     scale = head.value("POINT:SCALE", head.header_scale)
     if not math.isfinite(scale) or scale == 0.0:
-        advice = "is the file damaged? Export it again"
-        raise RecordError(head.source, "has no scale of points", advice, column="POINT:SCALE", value=scale)
+        raise RecordError(head.source, "has no scale of points", _DAMAGED, column="POINT:SCALE", value=scale)
     if math.isfinite(head.header_scale) and head.header_scale * scale < 0.0:
         reason = f"has two scales of points: {scale:.6g}, and {head.header_scale:.6g} in its header"
-        raise RecordError(head.source, reason, "is the file damaged? Export it again", column="POINT:SCALE")
+        raise RecordError(head.source, reason, _DAMAGED, column="POINT:SCALE")
     return scale
 
 
@@ -105,7 +105,7 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
     start = (int(head.value("POINT:DATA_START", head.header[8])) - 1) * BLOCK
     if frames < 1 or start < BLOCK:
         reason = f"declares {frames} frames from byte {start}, which is impossible"
-        raise RecordError(head.source, reason, "is the file damaged? Export it again")
+        raise RecordError(head.source, reason, _DAMAGED)
     present = max(len(data) - start, 0) // (words * size)
     if present < frames:
         raise RecordError(
@@ -119,7 +119,7 @@ def _frames(head: C3dHead, data: bytes, points: int, frames: int, first: int) ->
         raise RecordError(
             head.source,
             f"declares {frames} frames, but {head.frames_in_header} in its header, and has them",
-            "is the file damaged? Export it again",
+            _DAMAGED,
             column="POINT:FRAMES",
             rows=[first + frames],
         )

@@ -30,50 +30,18 @@ _ELEMENTS_OF: Final = {
     NAMESPACES["ssd"]: frozenset(
         (
             *("Annotations", "Component", "Connection", "ConnectionGeometry", "Connections", "Connector"),
-            *(
-                "ConnectorGeometry",
-                "Connectors",
-                "DefaultExperiment",
-                "ElementGeometry",
-                "Elements",
-                "Enumerations",
-            ),
-            *(
-                "GraphicalElements",
-                "MetaData",
-                "Note",
-                "ParameterBinding",
-                "ParameterBindings",
-                "ParameterMapping",
-            ),
-            *("ParameterValues", "Signature", "SignalDictionaries", "SignalDictionary"),
-            *("SignalDictionaryReference", "System", "SystemGeometry", "SystemStructureDescription", "Units"),
+            *("ConnectorGeometry", "Connectors", "DefaultExperiment", "ElementGeometry", "Elements"),
+            *("Enumerations", "GraphicalElements", "MetaData", "Note", "ParameterBinding"),
+            *("ParameterBindings", "ParameterMapping", "ParameterValues", "Signature", "SignalDictionaries"),
+            *("SignalDictionary", "SignalDictionaryReference", "System", "SystemGeometry"),
+            *("SystemStructureDescription", "Units"),
         )
     ),
     NAMESPACES["ssv"]: frozenset(
         (
-            *(
-                "Annotations",
-                "Binary",
-                "Boolean",
-                "Clock",
-                "Dimension",
-                "Enumeration",
-                "Enumerations",
-                "Float32",
-            ),
-            *(
-                "Float64",
-                "Int16",
-                "Int32",
-                "Int64",
-                "Int8",
-                "Integer",
-                "MetaData",
-                "Parameter",
-                "ParameterSet",
-            ),
-            *("Parameters", "Real", "String", "UInt16", "UInt32", "UInt64", "UInt8", "Units"),
+            *("Annotations", "Binary", "Boolean", "Clock", "Dimension", "Enumeration", "Enumerations"),
+            *("Float32", "Float64", "Int16", "Int32", "Int64", "Int8", "Integer", "MetaData", "Parameter"),
+            *("ParameterSet", "Parameters", "Real", "String", "UInt16", "UInt32", "UInt64", "UInt8", "Units"),
         )
     ),
 }

@@ -136,23 +136,22 @@ def test_a_number_of_frames_that_contradicts_the_header_is_refused(tmp_path: Pat
         read_c3d(file)
 
 
-def test_two_frame_rates_are_refused(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("place", "number", "message"),
+    [
+        (20, 30.0, "has two frame rates: 60 Hz, and 30 Hz in its header"),
+        (12, 1.0, "has two scales of points: -1, and 1 in its header"),
+    ],
+)
+def test_another_number_in_the_header_is_refused(
+    place: int, number: float, message: str, tmp_path: Path
+) -> None:
     file = tmp_path / "a.c3d"
     write_c3d(file, ["TOP"], np.arange(900.0).reshape(300, 1, 3), rate=60.0)
     data = bytearray(file.read_bytes())
-    data[20:24] = np.array([30.0], dtype="<f4").tobytes()
+    data[place : place + 4] = np.array([number], dtype="<f4").tobytes()
     file.write_bytes(data)
-    with pytest.raises(RecordError, match=r"has two frame rates: 60 Hz, and 30 Hz in its header"):
-        read_c3d(file)
-
-
-def test_scales_of_reals_and_of_integers_are_refused(tmp_path: Path) -> None:
-    file = tmp_path / "a.c3d"
-    write_c3d(file, ["TOP"], np.arange(900.0).reshape(300, 1, 3), rate=60.0)
-    data = bytearray(file.read_bytes())
-    data[12:16] = np.array([1.0], dtype="<f4").tobytes()
-    file.write_bytes(data)
-    with pytest.raises(RecordError, match=r"has two scales of points: -1, and 1 in its header"):
+    with pytest.raises(RecordError, match=message):
         read_c3d(file)
 
 
