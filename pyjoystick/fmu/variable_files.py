@@ -15,7 +15,16 @@ from numpy.typing import NDArray
 
 from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import INTEGERS
-from pyjoystick.motion import TIME, Column, Match, RecordError, TableFile, read_log_table, read_table_file
+from pyjoystick.motion import (
+    TIME,
+    Column,
+    Match,
+    RecordError,
+    TableFile,
+    read_log_table,
+    read_table_file,
+    time_heading,
+)
 from pyjoystick.support import UnknownInputError
 
 _TIME: Final = replace(TIME, default_unit="s")
@@ -27,15 +36,16 @@ _TRUTH: Final = {"true": True, "false": False}
 def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     """Read inputs over time as a table for `Fmu.run`.
 
-    The first column is the time, in s if its heading has no unit; the others are as in `read_variables`. A
-    column without a heading and cells, as of a comma at the end of every line, is left out.
+    The first column is the time, in s if its heading has no unit or is empty; the others are as in
+    `read_variables`. A column without a heading and cells, as of a comma at the end of every line, is left
+    out.
 
     Raises:
-        RecordError: the file is not a table, a unit is unknown, a cell is not a finite number, or two
-            different times are less than 1e-12 s apart
+        RecordError: the file is not a table, its first column is no time, a unit is unknown, a cell is not a
+            finite number, or two different times are less than 1e-12 s apart
         UnknownInputError: a column does not have the name of an input
     """
-    file = read_table_file(Path(path))
+    file = _with_time_first(read_table_file(Path(path)))
     first, *others = file.head.headings
     others = [one for one in others if one.text or any(file.texts(one))]
     known = fmu.names("input")
@@ -56,6 +66,16 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
         )
         raise RecordError(str(path), reason, advice, column=first.text, rows=file.rows[close + 1])
     return table
+
+
+def _with_time_first(file: TableFile) -> TableFile:
+    """The table with the unit of the first heading, which must be a time, understood as that of a log."""
+    first, *others = file.head.headings
+    time = time_heading(first.text) if first.text else first
+    if time is None:
+        reason, advice = "the first column must be the time", "name it 'time (s)'"
+        raise RecordError(str(file.head.path), reason, advice, column=first.text)
+    return replace(file, head=replace(file.head, headings=(time, *others)))
 
 
 def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequence[str]) -> pd.DataFrame:
@@ -103,7 +123,7 @@ def _values(file: TableFile, match: Match, variable: Variable) -> NDArray[Any]:
     numbers = file.finite_numbers(match.heading, match.column.advice)
     if variable.type in INTEGERS:
         # Parse the text, because integers beyond 2^53 are not exact as floats.
-        written = [Decimal(cell) for cell in file.texts(match.heading)]
+        written = [Decimal(cell) for cell in file.with_points(match.heading)]
         if all(one == one.to_integral_value() for one in written):
             return pd.Series([int(one) for one in written]).to_numpy()
     display = variable.display_unit

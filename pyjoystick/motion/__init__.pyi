@@ -13,6 +13,7 @@ from .extrema import (
     peaks_among as peaks_among,
 )
 from .labelled import to_xarray as to_xarray
+from .logs.headings import time_heading as time_heading
 from .logs.layout import Layout as Layout, Scale as Scale, scale_of as scale_of
 from .logs.log_table import LogTable as LogTable, read_log_table as read_log_table
 from .logs.reading import (
@@ -58,6 +59,7 @@ from .table_files import (
     open_text as open_text,
     read_table_file as read_table_file,
     read_table_head as read_table_head,
+    require_whole_end as require_whole_end,
 )
 from .tables import (
     DisplayUnit as DisplayUnit,

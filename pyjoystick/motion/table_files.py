@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import csv
 import logging
+import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,6 +30,11 @@ _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
 #: Larger numbers are not measurements; their powers would overflow.
 LARGEST: Final = 1e60
+_PARTS: Final = re.compile(r"[+-]?\d*([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
+#: Number of bytes at the end of a file that show whether it ends within a number.
+_END: Final = 4096
+#: Number of numbers that show the usual decimals.
+_ENOUGH: Final = 8
 #: Cells without a number, in lower case.
 EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 
@@ -43,6 +49,7 @@ class TableFile:
         cells: rows of text, each as long as the headings
         rows: line number of each row, from 1, shape (n,)
         empty: numbers of the empty lines between these, in order
+        decimal: the decimal mark of all numbers, a point or a comma
     """
 
     head: TableHead
@@ -50,6 +57,7 @@ class TableFile:
     cells: tuple[tuple[str, ...], ...]
     rows: NDArray[np.int64]
     empty: tuple[int, ...] = ()
+    decimal: str = "."
 
     def read(
         self,
@@ -83,15 +91,40 @@ class TableFile:
         """The unconverted column under a heading, shape (n,); empty cells and words such as NA are NaN.
 
         Raises:
-            RecordError: a cell contains something other than a number
+            RecordError: a cell contains something other than a number with the table's decimal mark
         """
         values = np.empty(len(self.cells))
-        for i, cell in enumerate(self.texts(heading)):
+        for i, cell in enumerate(self.with_points(heading)):
             try:
                 values[i] = np.nan if cell.lower() in EMPTY else number_of_text(cell)
             except ValueError:
                 raise no_number(self.head.path, heading, int(self.rows[i]), cell) from None
         return values
+
+    def with_points(self, heading: Heading) -> list[str]:
+        """The cells of a column of numbers with decimal points.
+
+        Raises:
+            RecordError: a cell contains a point, and the decimal mark is another
+        """
+        texts = self.texts(heading)
+        if self.decimal == ".":
+            return texts
+        for row, cell in zip(self.rows, texts, strict=True):
+            if "." in cell:
+                reason = "has a point, but the decimal mark of the table is the comma"
+                advice = (
+                    "does it separate thousands? Export the table with one decimal mark and no separators"
+                )
+                raise RecordError(
+                    str(self.head.path),
+                    reason,
+                    advice,
+                    column=heading.text,
+                    rows=[int(row)],
+                    value=repr(cell),
+                )
+        return [cell.replace(self.decimal, ".") for cell in texts]
 
     def finite_numbers(self, heading: Heading, advice: str) -> FloatArray:
         """As `numbers`, but missing values are an error.
@@ -114,9 +147,47 @@ class TableFile:
         return numbers
 
 
+def is_cut_short(cells: Sequence[str]) -> bool:
+    """Whether the last cell of a column has fewer decimals or digits of an exponent than all others.
+
+    Where the file does not end with the end of a line, such a number is what was left of a longer one.
+    """
+    *others, last = (_PARTS.fullmatch(cell) for cell in cells)
+    numbers = [one for one in others if one is not None]
+    if last is None or len(numbers) < _ENOUGH:
+        return False
+    return any(
+        len(last[part] or "") < min(len(one[part] or "") for one in numbers)
+        for part in ("decimals", "exponent")
+    )
+
+
+def require_whole_end(head: TableHead) -> None:
+    """Reject a file that ends within a number.
+
+    Raises:
+        RecordError: the last line has no end, and its last number fewer decimals than those above
+    """
+    with head.path.open("rb") as stream:
+        stream.seek(max(0, head.path.stat().st_size - _END))
+        end = stream.read().decode("utf-8", errors="replace")
+    if end.endswith(("\n", "\r")):
+        return
+    lines = [line for line in end.splitlines()[1:] if not is_blank(line)]
+    cells = [cells_of_line(head.path, 0, line, head.delimiter)[-1] for line in lines]
+    if cells and is_cut_short(cells):
+        reason = "the file seems to end within its last number: all others have more decimals"
+        advice = "copy the file again; or end the line if the number is right"
+        raise RecordError(
+            str(head.path), reason, advice, column=head.headings[-1].text, value=repr(cells[-1])
+        )
+
+
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
     """Make the error for a cell that is not a number."""
     advice = "write numbers with a decimal point" if "," in cell else "write a number"
+    if cell.startswith("'"):
+        advice = "it is stored as text, and its point may separate thousands: store the cells as numbers"
     reason = "is not a number"
     if cell == heading.text:
         reason, advice = "the headings are repeated here", "keep one record a file: cut it before this row"
@@ -148,6 +219,7 @@ def read_table_file(path: Path) -> TableFile:
             reason = f"has {len(row)} cells under {len(head.headings)} headings"
             advice = "was the file cut off, or are the decimal marks commas?"
             raise RecordError(str(path), reason, advice, rows=[number])
+    require_whole_end(head)
     headings = [one.text for one in head.headings]
     _LOG.info("read %s: %d rows of %s", path, len(rows), ", ".join(headings))
     comments = tuple(line.removeprefix(_COMMENT).strip() for _, line in lines if line.startswith(_COMMENT))

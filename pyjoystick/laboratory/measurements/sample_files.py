@@ -21,6 +21,7 @@ from pyjoystick.motion import (
     TableHead,
     no_number,
     read_table_head,
+    require_whole_end,
 )
 from pyjoystick.support import FloatArray
 
@@ -119,6 +120,7 @@ def open_samples(
     found = head.match([_TIME, column], headings=names, units={column.name: unit})
     if "time" not in found:
         _require_rate(path, rate)
+    require_whole_end(head)
     layout = _Layout(head, found[column.name], found.get("time"))
     return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
 

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import datetime
 import re
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -15,30 +14,18 @@ from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Heading, TableHead
 from pyjoystick.motion.logs.headings import is_unit, understood
+from pyjoystick.motion.logs.row_widths import Misfit, Row, of_one_width, shifted
+from pyjoystick.motion.logs.time_cells import NOTHING, clock_of, of_another_kind, plain_numbers
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.table_files import EMPTY, TableFile
-
-#: A line number and its cells.
-Row = tuple[int, list[str]]
+from pyjoystick.motion.table_files import TableFile, is_cut_short
 
 _NUMBERS: Final = {
     mark: re.compile(rf"[+-]?(\d+{part}|{dot}\d+)([eE][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
     for mark, dot, part in ((".", r"\.", r"(\.\d*)?"), (",", ",", r"(,\d+)?"))
 }
-_CLOCK: Final = re.compile(
-    r"(?:(?P<date>\d{4}-\d\d-\d\d)[T ])?(?P<h>\d{1,2}):(?P<m>\d\d):(?P<s>\d\d(?:[.,]\d+)?)"
-    r"(?P<zone>Z|[+-]\d\d:?\d\d)?"
-    r"|(?P<m2>\d{1,3}):(?P<s2>\d\d[.,]\d+)"
-    r"|PT(?P<duration>-?\d+\.\d+)S"
-)
-_SECOND: Final = datetime.timedelta(seconds=1)
 _THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}([.,]\d{3})+")
 #: What a wrong delimiter leaves between two cells.
 _JOINED: Final = re.compile(r"[-+.,\d]+[;\t|][-+.,\d;\t|]*")
-_DIGIT: Final = re.compile(r"\d")
-_UNNAMED: Final = re.compile(r"Unnamed: \d+")
-_ERRORS: Final = ("#n/a", "#nv", "#div/0!", "#num!", "#value!", "nat", "<na>")
-_NOTHING: Final = (*EMPTY, *_ERRORS)
 _EMPTY_CELL, _NUMBER_CELL, _TEXT_CELL = range(3)
 
 
@@ -51,9 +38,10 @@ class Candidate:
         decimal: the decimal mark
         names: rows of headings and units, or of headings alone; empty if the file has none
         rows: the rows of data, all of one width
-        empty: numbers of the empty lines between them, which have no cells
+        empty: numbers of the lines between them without cells, or with a sample that is commented out
         numeric: indices of the columns of numbers
-        ragged: the first row of data of another width, or with a number under no heading; or None
+        ragged: number of the first row of data of another width, or with a filled cell under no heading, and
+            of its cells; or None
         headed: the number of headings
         faults: non-numeric cells in columns of numbers, and ragged rows
         doubtful: whether every decimal mark may be a thousands separator
@@ -65,13 +53,20 @@ class Candidate:
     rows: Sequence[Row]
     empty: tuple[int, ...]
     numeric: tuple[int, ...]
-    ragged: Row | None
+    ragged: Misfit | None
     headed: int
     faults: int
     doubtful: bool
 
+    def without_stump(self) -> Candidate:
+        """The table of a file without an end of its last line; the cell of a number cut short is emptied."""
+        number, last = self.rows[-1]
+        if not is_cut_short([cells[-1] for _, cells in self.rows]):
+            return self
+        return replace(self, rows=[*self.rows[:-1], (number, [*last[:-1], ""])])
+
     def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
-        """The table, with decimal points in its numbers, and times of day and durations in s.
+        """The table, with times of day and durations in s.
 
         Raises:
             RecordError: a row is longer or shorter than the headings
@@ -80,14 +75,14 @@ class Candidate:
         if self.ragged is not None:
             number, cells = self.ragged
             advice = "was the file cut off, or are the decimal marks commas?"
-            reason = f"has {len(cells)} cells under {self.headed} headings"
+            reason = f"has {cells} cells under {self.headed} headings"
             raise RecordError(str(path), reason, advice, rows=[number])
         units = self.names[1][1] if len(self.names) > 1 else [""] * width
         texts = self.names[0][1] if self.names else [""] * width
         headings = _headings(texts, units)
         columns = [list(column) for column in zip(*(cells for _, cells in self.rows), strict=True)]
         for i in self.numeric:
-            others = _of_another_kind(columns[i])
+            others = of_another_kind(columns[i])
             if others:
                 raise RecordError(
                     str(path),
@@ -96,13 +91,14 @@ class Candidate:
                     column=headings[i].text,
                     rows=[self.rows[row][0] for row in others],
                 )
-            columns[i], is_clock = _plain_numbers(columns[i], self.decimal)
+            columns[i], is_clock = plain_numbers(columns[i])
             if is_clock:
+                columns[i] = [cell.replace(".", self.decimal) for cell in columns[i]]
                 headings[i] = Heading(headings[i].text, headings[i].name, "s")
         line = self.names[-1][0] if self.names else 0
         rows = np.array([number for number, _ in self.rows], dtype=np.int64)
         head = TableHead(path, tuple(headings), self.delimiter, line)
-        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows, self.empty)
+        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows, self.empty, self.decimal)
 
 
 def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str) -> Candidate | None:
@@ -114,7 +110,7 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         delimiter: separator of the cells
         decimal: the decimal mark
     """
-    width, empty, rows = _of_one_width(rows)
+    width, empty, longer, rows = of_one_width(rows)
     fitting = [i for i, (_, cells) in enumerate(rows) if len(cells) == width]
     kinds = np.array([[_kind(cell, decimal) for cell in rows[i][1]] for i in fitting], dtype=np.int8)
     if width < 2 or len(fitting) < 2:
@@ -136,47 +132,36 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     if names is None:
         return None
     used = [i for i in range(width) if any(cells[i] for _, cells in (*names[:1], *data))]
-    ragged = [row for row in rows[first:] if len(row[1]) != width]
+    ragged = [
+        (number, longer.get(number, len(cells)))
+        for number, cells in rows[first:]
+        if len(cells) != width or number in longer
+    ]
     # In a sheet, a column has its place even without a heading.
-    headed = _headed_columns(names[0][1]) if names and delimiter else width
-    unheaded = [row for row in data if any(map(_DIGIT.search, row[1][headed:]))]
+    headings = dict([*rows, *remarks])[names[0][0]] if names and delimiter else [" "] * width
+    headed, unheaded = shifted(data, headings, delimiter)
     columns = [i for i in used if numeric[i]]
     marked = [
-        cells[i]
-        for _, cells in data
-        for i in columns
-        if decimal in cells[i] and not _CLOCK.fullmatch(cells[i])
+        cells[i] for _, cells in data for i in columns if decimal in cells[i] and not clock_of(cells[i])
     ]
+    empty += [number for number, cells in remarks if _is_sample(cells, width, columns, decimal)]
     return Candidate(
         delimiter,
         decimal,
         tuple((number, [cells[i] for i in used]) for number, cells in names),
         [(number, [cells[i] for i in used]) for number, cells in data],
-        tuple(number for number in empty if data[0][0] < number < data[-1][0]),
+        tuple(number for number in sorted(empty) if data[0][0] < number < data[-1][0]),
         tuple(used.index(i) for i in columns),
         min([*ragged[:1], *unheaded[:1]], default=None),
         headed if unheaded else len(used),
         int(bad[start:].sum()) + len(ragged) + len(unheaded),
-        bool(marked) and all(_THOUSANDS.fullmatch(cell) for cell in marked),
+        bool(marked) and all(map(is_thousands, marked)),
     )
 
 
-def _of_one_width(rows: Sequence[Row]) -> tuple[int, list[int], list[Row]]:
-    """The usual width of a row, the numbers of the empty lines, and the other rows fitted to this width.
-
-    Rows without a filled cell at the end are dropped.
-    """
-    filled = [i for i, (_, cells) in enumerate(rows) if any(cells)]
-    if not filled:
-        return 0, [], []
-    width = Counter(len(rows[i][1]) for i in filled).most_common(1)[0][0]
-    rows = rows[: filled[-1] + 1]
-    empty = [number for number, cells in rows if not any(cells) and len(cells) < 2]
-    return (
-        width,
-        empty,
-        [(number, _fitted(cells, width)) for number, cells in rows if any(cells) or len(cells) > 1],
-    )
+def _is_sample(cells: Sequence[str], width: int, numeric: Sequence[int], decimal: str) -> bool:
+    """Whether the cells of a comment are those of a row of data."""
+    return len(cells) == width and all(_kind(cells[i], decimal) == _NUMBER_CELL for i in numeric)
 
 
 def _with_missing_before(
@@ -194,19 +179,12 @@ def _with_missing_before(
     return first
 
 
-def _fitted(cells: list[str], width: int) -> list[str]:
-    """A row without the empty cells beyond the usual width; one of empty cells has exactly this width."""
-    if not any(cells):
-        return [""] * width
-    return cells if any(cells[width:]) else cells[:width]
-
-
 def _kind(cell: str, decimal: str) -> int:
     if _NUMBERS[decimal].fullmatch(cell):
         return _NUMBER_CELL
-    if cell.casefold() in _NOTHING:
+    if cell.casefold() in NOTHING:
         return _EMPTY_CELL
-    return _NUMBER_CELL if _CLOCK.fullmatch(cell) else _TEXT_CELL
+    return _NUMBER_CELL if clock_of(cell) else _TEXT_CELL
 
 
 def _names(above: Sequence[Row], remarks: Sequence[Row], width: int) -> tuple[Row, ...] | None:
@@ -223,11 +201,6 @@ def _names(above: Sequence[Row], remarks: Sequence[Row], width: int) -> tuple[Ro
     if len(last) == 2 and _is_units(last[1][1]) and _is_heading(last[0][1], width):
         return last[0], last[1]
     return (last[-1],) if _is_heading(last[-1][1], width) and len(above[-1][1]) >= width - 1 else None
-
-
-def _headed_columns(headings: Sequence[str]) -> int:
-    """Number of columns up to the last one with a heading; pandas calls one without ``Unnamed: 3``."""
-    return max(i + 1 for i, cell in enumerate(headings) if cell and not _UNNAMED.fullmatch(cell))
 
 
 def _is_heading(cells: Sequence[str], width: int) -> bool:
@@ -257,64 +230,6 @@ def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:
     return found
 
 
-def _of_another_kind(cells: Sequence[str]) -> list[int]:
-    """Indices of the cells of another kind than most, if a column has times of day, dates or durations."""
-    kinds = {i: _kind_of_time(cell) for i, cell in enumerate(cells) if cell.casefold() not in _NOTHING}
-    if not any(kinds.values()):
-        return []
-    usual, _ = Counter(kinds.values()).most_common(1)[0]
-    return [i for i, kind in kinds.items() if kind != usual]
-
-
-def _kind_of_time(cell: str) -> str:
-    """Kind of a time of day, date or duration; empty for other cells."""
-    match = _CLOCK.fullmatch(cell)
-    if match is None:
-        return ""
-    return "duration" if match["duration"] else "date" if match["date"] else "clock"
-
-
-def _plain_numbers(cells: Sequence[str], decimal: str) -> tuple[list[str], bool]:
-    """Numbers with decimal points, and whether they are times of day or durations, converted to s."""
-    matches = [_CLOCK.fullmatch(cell) for cell in cells]
-    if not any(matches):
-        return ["" if cell.casefold() in _ERRORS else cell.replace(decimal, ".") for cell in cells], False
-    first = next(match for match in matches if match)
-    return [
-        _seconds(match, first) if match else cell for match, cell in zip(matches, cells, strict=True)
-    ], True
-
-
-def _seconds(match: re.Match[str], first: re.Match[str]) -> str:
-    """A duration (s), or the time since the midnight before the first sample, in its time zone (s)."""
-    if match["duration"]:
-        return match["duration"]
-    second = (match["s"] or match["s2"]).replace(",", ".")
-    whole = 60 * int(match["m"] or match["m2"]) + 3600 * int(match["h"] or 0)
-    whole -= _ahead(match["zone"]) - _ahead(first["zone"])
-    if match["date"] and first["date"]:
-        day, begun = (datetime.date.fromisoformat(one["date"]) for one in (match, first))
-        whole += 86_400 * (day - begun).days
-    return f"{whole + int(second[:2])}{second[2:]}"
-
-
-def _ahead(zone: str | None) -> int:
-    """Offset of a time zone (``Z``, ``+01:00``) from UTC (s)."""
-    if zone in (None, "Z"):
-        return 0
-    return (-1 if zone[0] == "-" else 1) * (3600 * int(zone[1:3]) + 60 * int(zone[-2:]))
-
-
-def text_of(value: object) -> str:
-    """Text of a typed value: times of day, dates and durations in ISO 8601."""
-    if value is None:
-        return ""
-    if isinstance(value, datetime.timedelta):
-        return f"PT{value / _SECOND:.9f}S"
-    if isinstance(value, bool):
-        return str(value)
-    if isinstance(value, datetime.date | datetime.time):
-        return value.isoformat()
-    if isinstance(value, bytes):
-        return value.decode(errors="replace")
-    return repr(value) if isinstance(value, float) else str(value).strip()
+def is_thousands(cell: object) -> bool:
+    """Whether a cell is a text whose decimal mark, if it is one, may separate thousands."""
+    return isinstance(cell, str) and _THOUSANDS.fullmatch(cell) is not None

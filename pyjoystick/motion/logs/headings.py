@@ -173,6 +173,13 @@ def meaning(name: str) -> str | None:
     return next((quantity for quantity, symbols in _SYMBOLS.items() if name in (quantity, symbols)), None)
 
 
+def time_heading(text: str) -> Heading | None:
+    """Name and unit of a heading that means the time, as ``time_ms``, or has its unit; None for another."""
+    heading = understood(text)
+    is_time = meaning(last_part(heading.name)) == "time" or spelled("time", heading.unit) is not None
+    return heading if is_time else None
+
+
 def _plain(name: str) -> str:
     """A name in lower case without accents."""
     plain = "".join(c for c in unicodedata.normalize("NFKD", name.casefold()) if not unicodedata.combining(c))

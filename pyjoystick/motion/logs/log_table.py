@@ -16,7 +16,13 @@ from pyjoystick.motion.columns import Column, Heading, Match
 from pyjoystick.motion.logs.headings import candidates, is_unit, kind_of, reading_unit, spelled
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.sheets import form_of, load
-from pyjoystick.motion.logs.text_files import decoded, delimiter_name, find_in_rows, find_in_text
+from pyjoystick.motion.logs.text_files import (
+    decoded,
+    delimiter_name,
+    find_in_rows,
+    find_in_text,
+    is_labview_measurement,
+)
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.table_files import TableFile, read_table_file
 from pyjoystick.motion.units import UNITS
@@ -180,6 +186,9 @@ def read_log_table(
         text, encoding = decoded(path, data, layout.encoding)
         guessed = "probably " * (not layout.encoding and not encoding.startswith("utf"))
         found, comments = find_in_text(path, text, layout)
+        if found is None and is_labview_measurement(text):
+            advice = "save it with one column of times (X_Columns One), and tabs between the columns"
+            raise RecordError(str(path), "holds no two columns of numbers below its headers", advice)
         if found is None:
             return LogTable(read_table_file(path), "text")  # says what is wrong with it
         mark = "comma" if found.decimal == "," else "point"

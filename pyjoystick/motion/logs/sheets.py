@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import datetime
 import importlib
 import pickle
 import subprocess
 import sys
 import zipfile
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
 import pandas as pd
 
-from pyjoystick.motion.logs.grid import Row, text_of
+from pyjoystick.motion.logs.grid import is_thousands
+from pyjoystick.motion.logs.row_widths import Row
 from pyjoystick.motion.logs.workbooks import read_ods, read_xlsx
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.support import ARCHIVE_ERRORS, archive_problem
+from pyjoystick.support import ARCHIVE_ERRORS, archive_problem, is_number_text
 
+_SECOND: Final = datetime.timedelta(seconds=1)
 _LONGEST: Final = 10_000_000
 #: In which a MATLAB file is read, or not at all.
 _SECONDS: Final = 120.0
@@ -87,10 +90,44 @@ def load(path: Path, form: str, sheet: str) -> tuple[list[Row], bool]:
         reason = f"cannot be read as {form}: {error}"
         raise RecordError(str(path), reason, "save the file again, or export it as CSV") from error
     name = _chosen(path, tables, sheet)
-    frame = tables[name]
-    cells = [[text_of(cell) for cell in row] for row in frame.itertuples(index=False, name=None)]
-    typed = any(isinstance(cell, int | float) and cell == cell for cell in frame.to_numpy(dtype=object).flat)
+    rows = list(tables[name].itertuples(index=False, name=None))
+    typed = any(isinstance(cell, int | float) and cell == cell for row in rows for cell in row)
+    doubtful = _columns_of_doubtful_texts(rows) if typed else frozenset()
+    cells = [
+        [f"'{cell}" if i in doubtful and is_thousands(cell) else _text_of(cell) for i, cell in enumerate(row)]
+        for row in rows
+    ]
     return list(enumerate(cells, start=1)), typed
+
+
+def _columns_of_doubtful_texts(rows: Sequence[tuple[object, ...]]) -> frozenset[int]:
+    """The columns in which all texts with points, as ``1.527``, may be numbers with separated thousands.
+
+    Such a text gets an apostrophe, as Excel writes a text: it is none of the numbers in its column.
+    """
+    texts = [
+        (i, cell)
+        for row in rows
+        for i, cell in enumerate(row)
+        if isinstance(cell, str) and is_number_text(cell)
+    ]
+    plain = {i for i, cell in texts if "." in cell and not is_thousands(cell)}
+    return frozenset(i for i, _ in texts) - plain
+
+
+def _text_of(value: object) -> str:
+    """Text of a typed value: times of day, dates and durations in ISO 8601."""
+    if value is None:
+        return ""
+    if isinstance(value, datetime.timedelta):
+        return f"PT{value / _SECOND:.9f}S"
+    if isinstance(value, bool):
+        return str(value)
+    if isinstance(value, datetime.date | datetime.time):
+        return value.isoformat()
+    if isinstance(value, bytes):
+        return value.decode(errors="replace")
+    return repr(value) if isinstance(value, float) else str(value).strip()
 
 
 def _chosen(path: Path, tables: Mapping[str, pd.DataFrame], sheet: str) -> str:

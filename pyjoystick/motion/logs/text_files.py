@@ -11,9 +11,10 @@ from typing import Final
 
 from charset_normalizer import from_bytes
 
-from pyjoystick.motion.logs.grid import Candidate, Row, find_table
+from pyjoystick.motion.logs.grid import Candidate, find_table
 from pyjoystick.motion.logs.headings import meaning, understood
 from pyjoystick.motion.logs.layout import Layout
+from pyjoystick.motion.logs.row_widths import Row
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.table_files import cells_of_line, is_blank
 
@@ -35,6 +36,7 @@ _FIRST_LINES: Final = 100
 _SEPARATOR: Final = re.compile(r"[,;\t|]")
 #: The part of neighboring lines of which one is empty where all lines are separated.
 _NEARLY_ALL: Final = 0.9
+_DOS_END: Final = "\x1a"
 _LABVIEW_END: Final = "***End_of_Header***"
 #: A heading with its unit, if spaces separate the columns.
 _WORD: Final = re.compile(r"[^\s(\[]+(?:\s*[(\[][^)\]]*[)\]])?")
@@ -54,7 +56,7 @@ def decoded(path: Path, data: bytes, encoding: str) -> tuple[str, str]:
     try:
         for name in [encoding] if encoding else _encodings(data):
             try:
-                return data.decode(name), name
+                return data.decode(name).rstrip(_DOS_END), name
             except UnicodeDecodeError:
                 continue
     except LookupError:
@@ -130,6 +132,8 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
         raise RecordError(str(path), f"may be separated by {' or '.join(names)}", advice)
     if found and found[0].doubtful and not layout.decimal:
         _require_certain(path, found[0])
+    if found and not text.endswith(("\n", "\r")):
+        found[0] = found[0].without_stump()
     return (found[0] if found else None), comments
 
 
@@ -175,6 +179,11 @@ def _without_double_spacing(lines: Sequence[tuple[int, str]]) -> list[tuple[int,
     return found
 
 
+def is_labview_measurement(text: str) -> bool:
+    """Whether a text is a LabVIEW measurement file (.lvm)."""
+    return _LABVIEW_END in text
+
+
 def _is_remark(line: str) -> bool:
     first = line.lstrip()
     return first.startswith(_REMARKS) and not first.casefold().startswith(("#n/a", "#nv", "#div/0!", "#num!"))
@@ -183,7 +192,7 @@ def _is_remark(line: str) -> bool:
 def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tuple[int, str]]:
     """The lines after the headers of a LabVIEW measurement file (.lvm); all lines of another file.
 
-    The last heading, Comment, is dropped if there are no cells below it.
+    The last heading, Comment, is dropped with the comments below it, which rows without one lack.
 
     Raises:
         RecordError: the file holds several measurements
@@ -197,11 +206,10 @@ def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tup
     found = lines[ends[-1] + 1 :]
     while found and not found[0][1].strip():
         del found[0]
-    if len(found) > 1:
-        number, headings = found[0]
-        last = re.search(r"([\t,;])Comment$", headings)
-        if last is not None and headings.count(last[1]) > found[1][1].count(last[1]):
-            found[0] = number, headings[: last.start()]
+    last = re.search(r"([\t,;])Comment$", found[0][1]) if found else None
+    if last is not None:
+        columns = found[0][1].count(last[1])
+        found = [(number, last[1].join(line.split(last[1])[:columns])) for number, line in found]
     return found
 
 

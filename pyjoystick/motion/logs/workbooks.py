@@ -7,12 +7,15 @@ and pandas reads those of ODS from the text that is shown.
 from __future__ import annotations
 
 import datetime
+import math
 import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
 
 import pandas as pd
+
+from pyjoystick.support import is_number_text, number_of_text
 
 if TYPE_CHECKING:
     from odf.element import Element
@@ -23,6 +26,9 @@ _DURATION: Final = re.compile(
     r"(?P<sign>-?)P((?P<days>\d+)D)?"
     r"(T((?P<hours>\d+)H)?((?P<minutes>\d+)M)?((?P<seconds>\d+)([.,](?P<fraction>\d+))?S)?)?"
 )
+#: Types of cells with numbers, and errors that they show: ``#DIV/0!``, ``#WERT!``, ``Err:502``.
+_NUMBERS: Final = ("float", "percentage", "currency")
+_ERROR: Final = re.compile(r"#[^\W\d].*|[^\W\d]+ ?:\d{3}")
 _UNITS: Final = {"days": _DAY, "hours": 3600, "minutes": 60, "seconds": 1}
 
 
@@ -85,6 +91,8 @@ def _table(rows: Sequence[Sequence[object]]) -> pd.DataFrame:
 def read_ods(path: Path) -> dict[str, pd.DataFrame]:
     """Cells of each sheet; durations and times of day as texts in seconds, to the nanosecond.
 
+    A formula's error is an empty cell, also where it is stored as a number with the text ``#DIV/0!``.
+
     Raises:
         ValueError: a stored duration is not in ISO 8601
     """
@@ -92,17 +100,27 @@ def read_ods(path: Path) -> dict[str, pd.DataFrame]:
 
     with pd.ExcelFile(path, engine="odf") as file:
         for cell in file.book.getElementsByType(TableCell):
-            if cell.getAttribute("valuetype") == "time":
-                _show_stored_duration(cell)
+            kind = cell.getAttribute("valuetype")
+            if kind == "time":
+                _show(cell, duration_in_seconds(cell.getAttribute("timevalue") or ""))
+            elif kind in _NUMBERS and _is_error(cell):
+                _show(cell, "")
         return pd.read_excel(file, sheet_name=None, header=None, dtype=object, na_filter=False)
 
 
-def _show_stored_duration(cell: Element) -> None:
-    """Replace a cell by a text with its duration in seconds."""
+def _is_error(cell: Element) -> bool:
+    """Whether a cell of a number shows an error, or has none that is finite."""
+    from odf.teletype import extractText
+
+    stored = cell.getAttribute("value") or ""
+    is_finite = is_number_text(stored) and math.isfinite(number_of_text(stored))
+    return not is_finite or _ERROR.fullmatch(extractText(cell).strip()) is not None
+
+
+def _show(cell: Element, text: str) -> None:
+    """Replace a cell by a text."""
     from odf.text import P
 
-    stored = cell.getAttribute("timevalue") or ""
-    text = duration_in_seconds(stored)
     for child in list(cell.childNodes):
         cell.removeChild(child)
     cell.setAttribute("valuetype", "string")

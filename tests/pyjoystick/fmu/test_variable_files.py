@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -35,7 +36,13 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
     table = read_inputs(_file(tmp_path, "clock (ms);T (N m)\n0;0\n100;0.1\n100;-2\n"), joystick)
     assert table.index.tolist() == [0.0, 0.1, 0.1]
     assert table["T"].tolist() == [0.0, 0.1, -2.0]
-    assert read_inputs(_file(tmp_path, "x,T\n1,2\n"), joystick)["T"].to_dict() == {1.0: 2.0}
+    for heading in ("", "t"):
+        assert read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)["T"].to_dict() == {1.0: 2.0}
+    for heading in ("time_ms", "time in ms", "t/ms", "Zeit [ms]"):
+        assert read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)["T"].to_dict() == {1e-3: 2.0}
+    for heading in ("x", "Sample", "ms", "omega", "theta (deg)"):
+        with pytest.raises(RecordError, match=re.escape(f"'{heading}': the first column must be the time")):
+            read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)
 
 
 def test_a_comma_at_the_end_of_every_line_is_no_input(tmp_path: Path, joystick: FmuDescription) -> None:

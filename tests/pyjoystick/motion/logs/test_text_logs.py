@@ -555,6 +555,15 @@ Delta_X\t0.004000\t\t
 """
 
 
+def test_a_labview_measurement_without_times(tmp_path: Path) -> None:
+    rows = "".join(f"\t{a:.6f}\n" for a in ANGLE)
+    file = written(tmp_path / "log.lvm", LABVIEW.format(f"{CHANNELS}X_Value\tAngle\tComment\n{rows}"))
+    with pytest.raises(
+        RecordError, match=r"holds no two columns of numbers below its headers; .*X_Columns One"
+    ):
+        read_log(file, rate=250.0)
+
+
 @pytest.mark.parametrize("delimiter", ["\t", ","], ids=["tab", "comma"])
 @pytest.mark.parametrize("comment", ["", "\t", "\tpause"], ids=["no cells", "empty cells", "comments"])
 def test_a_labview_measurement(comment: str, delimiter: str, tmp_path: Path) -> None:
@@ -566,6 +575,10 @@ def test_a_labview_measurement(comment: str, delimiter: str, tmp_path: Path) -> 
     log = read_log(file, **names)
     np.testing.assert_allclose(log.series["time"], TIME, rtol=0.0, atol=1e-9)
     np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, rtol=0.0, atol=1e-9)
+
+    at_first = table.replace(f"{ANGLE[0]:.6f}{comment}\n", f"{ANGLE[0]:.6f}\tstart\n", 1)
+    file = written(tmp_path / "start.lvm", LABVIEW.format(at_first).replace("\t", delimiter), "utf-8")
+    np.testing.assert_array_equal(read_log(file, **names).series["theta"], log.series["theta"])
 
     file = written(tmp_path / "two.lvm", LABVIEW.format(2 * table), "utf-8")
     with pytest.raises(RecordError, match=r"two.lvm, row 141: holds 2 measurements"):

@@ -1,0 +1,87 @@
+"""Rows of one width, and rows whose cells are shifted against their headings."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+from typing import Final
+
+#: A line number and its cells.
+Row = tuple[int, list[str]]
+#: The number of a row that does not fit its headings, and of its cells.
+Misfit = tuple[int, int]
+
+_UNNAMED: Final = re.compile(r"Unnamed: \d+")
+_WHOLE: Final = re.compile(r"[+-]?\d+")
+_DIGITS: Final = re.compile(r"\d+")
+
+
+def of_one_width(rows: Sequence[Row]) -> tuple[int, list[int], dict[int, int], list[Row]]:
+    """The usual width of a row, and the other rows fitted to this width.
+
+    Rows without a filled cell at the end are dropped.
+
+    Returns:
+        width; numbers of the empty lines; cells by row of those with more than the width; rows
+    """
+    filled = [i for i, (_, cells) in enumerate(rows) if any(cells)]
+    if not filled:
+        return 0, [], {}, []
+    width = Counter(len(rows[i][1]) for i in filled).most_common(1)[0][0]
+    rows = rows[: filled[-1] + 1]
+    empty = [number for number, cells in rows if not any(cells) and len(cells) < 2]
+    longer = {number: len(cells) for number, cells in rows if any(cells) and len(cells) > width}
+    return (
+        width,
+        empty,
+        longer,
+        [(number, _fitted(cells, width)) for number, cells in rows if any(cells) or len(cells) > 1],
+    )
+
+
+def _fitted(cells: list[str], width: int) -> list[str]:
+    """A row without the empty cells beyond the usual width; one of empty cells has exactly this width."""
+    if not any(cells):
+        return [""] * width
+    return cells if any(cells[width:]) else cells[:width]
+
+
+def shifted(data: Sequence[Row], headings: Sequence[str], delimiter: str) -> tuple[int, list[Misfit]]:
+    """Find rows with filled cells under no heading, or whose cells may be shifted under the headings.
+
+    An empty cell behind every row is harmless; decimal commas between commas, and numbers of rows before the
+    first column, shift the others.
+
+    Args:
+        data: the rows of data, all of one width
+        headings: the row of headings, which may be shorter
+        delimiter: separator of the cells
+
+    Returns:
+        the number of headings, and the rows
+    """
+    width, headed = len(data[0][1]), _headed_columns(headings)
+    is_short = len(headings) < width
+    found = [
+        (number, width)
+        for number, cells in data
+        if any(is_short or _DIGITS.search(cell) for cell in cells[headed:] if cell)
+    ]
+    samples = [cells for _, cells in data if any(cells)]
+    if is_short and delimiter == "," and not found and _may_have_decimal_commas(samples):
+        found = [(data[0][0], width)]
+    return headed, found
+
+
+def _headed_columns(headings: Sequence[str]) -> int:
+    """Number of columns up to the last one with a heading; pandas calls one without ``Unnamed: 3``."""
+    return max(i + 1 for i, cell in enumerate(headings) if cell and not _UNNAMED.fullmatch(cell))
+
+
+def _may_have_decimal_commas(rows: Sequence[list[str]]) -> bool:
+    """Whether two neighboring cells may be a number with a decimal comma, in all rows between commas."""
+    pairs = (zip(*((cells[i], cells[i + 1]) for cells in rows), strict=True) for i in range(len(rows[0]) - 1))
+    return any(
+        all(map(_WHOLE.fullmatch, before)) and all(map(_DIGITS.fullmatch, behind)) for before, behind in pairs
+    )

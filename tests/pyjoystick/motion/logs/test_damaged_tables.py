@@ -1,0 +1,150 @@
+"""Tables in which cells or numbers are not what they seem: refused, or left out with a note."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyjoystick.motion import RecordError, read_log, read_table_file
+from tests.pyjoystick.motion.logs.made import ANGLE, COUNT, TIME, TORQUE, text, written
+
+DEG = np.radians(1.0)
+HEADINGS = ("time (s)", "angle (deg)", "torque (N.m)", "note")
+
+
+def _lines(form: str) -> str:
+    rows = zip(TIME.tolist(), ANGLE.tolist(), TORQUE.tolist(), strict=True)
+    return "".join(form.format(*row) for row in rows)
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        # A separator of thousands beside decimal commas: in all numbers of a column, in the larger ones.
+        "Zeit (s);Winkel (deg);Drehmoment (mN.m)\n"
+        + "0,00;-17,9;1.500\n0,01;-17,5;1.527\n0,02;-17,1;1.553\n",
+        "Zeit (s);Winkel (deg);Drehmoment (N.mm)\n" + "0,00;-17,9;998\n0,01;-17,5;999\n0,02;-17,1;1.001\n",
+        "Zeit (s);Winkel (mdeg);U (V)\n" + "0,00;-17.910;0,2\n0,01;-17.500;0,2\n0,02;-17.100;0,2\n",
+        "Zeit (ms);Winkel (deg);U (V)\n" + "1.000;15,0;5,0\n1.020;14,9;5,0\n1.040;14,8;5,0\n",
+    ],
+)
+@pytest.mark.parametrize("delimiter", [";", "\t"])
+def test_points_beside_decimal_commas_are_refused(content: str, delimiter: str, tmp_path: Path) -> None:
+    file = written(tmp_path / "log.txt", content.replace(";", delimiter))
+    with pytest.raises(
+        RecordError, match=r"row [24]: has a point, but the decimal mark of the table is the co"
+    ):
+        read_log(file)
+
+
+def test_a_point_in_a_column_that_is_not_read_does_no_harm(tmp_path: Path) -> None:
+    rows = _lines("{:.3f};{:.4f};{:.4f};V").replace(".", ",").replace("V", "2.1\n")
+    log = read_log(written(tmp_path / "log.csv", f"Zeit (s);Winkel (deg);Drehmoment (N.m);Version\n{rows}"))
+    np.testing.assert_allclose(log.series["T"], np.round(TORQUE, 4), atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("last", "left"),
+    [("0.4760,1", 119), ("0.4760,-0.", 119), ("0.4760,1.25", 119), ("0.4760,1.2500", 120)],
+)
+def test_a_file_that_ends_within_a_number(last: str, left: int, tmp_path: Path) -> None:
+    content = "time (s),angle (deg)\n" + "".join(
+        f"{t:.4f},{a:.4f}\n" for t, a in zip(TIME[:-1], ANGLE[:-1], strict=True)
+    )
+    log = read_log(written(tmp_path / "log.csv", content + last))
+    assert len(log.series["time"]) == left
+    assert log.left_out.tolist() == [121] * (120 - left)
+    assert len(read_log(written(tmp_path / "ended.csv", content + last + "\n")).series["time"]) == 120
+    if left < 120:
+        with pytest.raises(
+            RecordError, match=r"column 'angle .deg.': the file seems to end within its last num"
+        ):
+            read_table_file(tmp_path / "log.csv")
+
+
+def test_a_file_that_ends_within_an_exponent(tmp_path: Path) -> None:
+    content = "time (s),angle (deg)\n" + "".join(
+        f"{t:.4e},{a:.4e}\n" for t, a in zip(TIME, ANGLE, strict=True)
+    )
+    assert read_log(written(tmp_path / "log.csv", content[:-2])).left_out.tolist() == [121]
+
+
+def test_numbers_of_any_length_in_the_last_row_are_kept(tmp_path: Path) -> None:
+    content = "time (s),angle (deg)\n" + "\n".join(
+        f"{t!r},{a!r}" for t, a in zip(TIME.tolist(), np.round(ANGLE, 1).tolist(), strict=True)
+    )
+    assert len(read_log(written(tmp_path / "log.csv", content)).series["time"]) == COUNT
+
+
+@pytest.mark.parametrize("date", ["2026-13-01", "2026-02-30", "2026-00-10", "2026-31-01"])
+def test_a_date_that_does_not_exist(date: str, tmp_path: Path) -> None:
+    rows = [f"2026-01-10 10:00:{t:06.3f},{a:.4f}" for t, a in zip(TIME, ANGLE, strict=True)]
+    damaged = [*rows[:50], rows[50].replace("2026-01-10", date), *rows[51:]]
+    for some in (damaged, [row.replace("2026-01-10", date) for row in rows]):
+        file = written(tmp_path / "log.csv", "\n".join(("time,angle (deg)", *some, "")))
+        with pytest.raises(RecordError, match=r"column 'time', row (2: is not a number|52: has other cells)"):
+            read_log(file)
+
+
+@pytest.mark.parametrize("mark", ["#", "//", "% "])
+def test_samples_that_are_commented_out_take_their_time(mark: str, tmp_path: Path) -> None:
+    lines = ["angle (deg),torque (N.m)", *_lines("{1:.4f},{2:.4f}\n").splitlines()]
+    for row in (42, 43, 44):
+        lines[row - 1] = mark + lines[row - 1]
+    lines[60] = mark + " the hand slipped"
+    log = read_log(written(tmp_path / "log.csv", "\n".join([*lines, ""])), rate=250.0)
+    assert log.left_out.tolist() == [42, 43, 44]
+    kept = np.delete(np.arange(COUNT), [40, 41, 42, 59])
+    np.testing.assert_allclose(log.series["theta"], DEG * np.round(ANGLE, 4)[kept], atol=1e-9)
+    expected = TIME[kept] - np.where(kept > 59, 1 / 250.0, 0.0)
+    np.testing.assert_allclose(log.series["time"], expected, atol=1e-9)
+
+
+@pytest.mark.parametrize("last", ["OK", ""])
+def test_decimal_commas_between_commas_shift_the_cells(last: str, tmp_path: Path) -> None:
+    """Every row has cells beyond the headings; the last one is empty or a word."""
+    rows = zip((1e3 * TIME).tolist(), ANGLE.tolist(), TORQUE.tolist(), strict=True)
+    lines = (f"{t:.0f},{a:.4f},{m:.0f},{last}".replace(".", ",") for t, a, m in rows)
+    content = "\n".join(("time (ms),angle (deg),U,note", *lines, ""))
+    with pytest.raises(RecordError, match=r"row 2: has 5 cells under 4 headings"):
+        read_log(written(tmp_path / "log.csv", content))
+
+
+def test_a_torque_with_decimal_commas_beside_points(tmp_path: Path) -> None:
+    rows = zip(TIME.tolist(), ANGLE.tolist(), TORQUE.tolist(), strict=True)
+    lines = (f"{t:.3f},{a:.4f},{m:.4f},".rsplit(".", 1) for t, a, m in rows)
+    content = ",".join(HEADINGS) + "\n" + "".join(f"{one},{other}\n" for one, other in lines)
+    with pytest.raises(RecordError, match="row 2: has 5 cells under 4 headings"):
+        read_log(written(tmp_path / "log.csv", content))
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+def test_an_inserted_cell_shifts_a_row(delimiter: str, tmp_path: Path) -> None:
+    lines = [",".join(HEADINGS), *_lines("{:.3f},{:.4f},{:.4f},\n").splitlines()]
+    lines[39] = lines[39].replace(",", ",0,", 1)
+    content = "\n".join([*lines, ""]).replace(",", delimiter)
+    with pytest.raises(RecordError, match="row 40: has 5 cells under 4 headings"):
+        read_log(written(tmp_path / "log.csv", content))
+
+
+def test_numbers_of_rows_before_a_column_of_words(tmp_path: Path) -> None:
+    """As R writes them: the headings are a cell to the left of their columns."""
+    rows = zip(range(1, COUNT + 1), TIME.tolist(), ANGLE.tolist(), strict=True)
+    content = '"time (s)","angle (deg)","state"\n' + "".join(f'"{i}",{t},{a},"free"\n' for i, t, a in rows)
+    with pytest.raises(RecordError, match="row 2: has 4 cells under 3 headings"):
+        read_log(written(tmp_path / "log.csv", content))
+
+
+@pytest.mark.parametrize("delimiter", [",", ";", "\t"])
+def test_an_empty_cell_at_the_end_of_every_row(delimiter: str, tmp_path: Path) -> None:
+    content = text(HEADINGS[:3], TIME, ANGLE, TORQUE, delimiter=delimiter, digits=12)
+    first, _, rest = content.partition("\n")
+    log = read_log(written(tmp_path / "log.csv", first + "\n" + rest.replace("\n", delimiter + "\n")))
+    np.testing.assert_allclose(log.series["T"], TORQUE, atol=1e-9)
+
+
+def test_a_file_with_the_end_mark_of_dos(tmp_path: Path) -> None:
+    content = text(HEADINGS[:2], TIME, ANGLE)
+    assert len(read_log(written(tmp_path / "log.csv", content + "\x1a")).series["time"]) == COUNT
