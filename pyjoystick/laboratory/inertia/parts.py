@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
@@ -21,8 +23,13 @@ _KINDS: Final = {
     "inertia": UNITS["moment of inertia"],
     "offset": UNITS["length"],
 }
-#: Names of rows that add up the others.
-_TOTALS: Final = frozenset({"total", "sum", "gesamt", "summe"})
+#: Words in the names of rows that add up the others or average them.
+_TOTALS: Final = frozenset(
+    (
+        *("total", "totals", "totale", "sum", "sums", "\u03c3", "gesamt", "summe", "somme", "suma", "soma"),
+        *("mean", "average", "mittelwert"),
+    )
+)
 _PART: Final = Column("part", {"": 1.0})
 _COLUMNS: Final = tuple(
     Column(
@@ -33,6 +40,8 @@ _COLUMNS: Final = tuple(
 )
 #: A center of mass farther off the axis than this part of h is noted.
 _OFF_AXIS: Final = 0.02
+#: Relative difference of rounded masses that may be equal.
+_SAME_MASS: Final = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,6 +127,12 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
             f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis; the model assumes it on the "
             "axis and neglects the moment of the weight at rest"
         )
+    masses = [part.mass.value for part in parts]
+    notes += (
+        f"{names[i]} has the mass of all parts before it: a total would count them twice"
+        for i in range(2, len(parts))
+        if math.isclose(masses[i], sum(masses[:i]), rel_tol=_SAME_MASS)
+    )
     return PartsResult(mass, height, about_pivot, tuple(notes))
 
 
@@ -146,8 +161,9 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     ``u_offset (mm)``, in any of `UNITS`.
 
     Raises:
-        RecordError: the file cannot be read, a column is missing, has no unit or an unknown one, a cell is
-            not a number or not allowed, or a name occurs twice; the message names file, column and row
+        RecordError: the file cannot be read; a column is missing, has no unit or an unknown one; a cell is
+            not a number or not allowed; a name is missing, that of a total, or there twice; the message names
+            file, column and row
     """
     file = read_table_file(Path(path))
     names = file.texts(file.head.match([_PART])["part"].heading)
@@ -155,11 +171,12 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     _require_known(file)
     parts = []
     for i, name in enumerate(names):
-        if name.casefold() in _TOTALS:
-            advice = "remove the row: it would count the other parts twice"
-            raise RecordError(str(path), "is no part", advice, rows=[file.rows[i]], value=name)
+        if not name or not _TOTALS.isdisjoint(re.findall(r"[^\W\d_]+", name.casefold())):
+            advice = "remove the row if it would count the other parts twice, or give it another name"
+            reason = "is no part" if name else "has no name"
+            raise RecordError(str(path), reason, advice, rows=[file.rows[i]], value=name)
         numbers = {quantity: float(values[i]) for quantity, values in series.items()}
-        if name in names[:i]:
+        if name.casefold() in map(str.casefold, names[:i]):
             raise RecordError(
                 str(path), "a part occurs twice", "give each its own name", rows=[file.rows[i]], value=name
             )

@@ -26,6 +26,7 @@ from pyjoystick.laboratory.measurements.angle_notes import (
     radius_notes,
     rest_notes,
 )
+from pyjoystick.laboratory.measurements.glitches import glitch_notes, require_no_glitch
 from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
 from pyjoystick.model import JoystickParameters, Side, angle_of_travel
@@ -129,7 +130,7 @@ def measure_angle(
     Raises:
         ParameterError: the radius is not above zero, or `rest_angle` is not an angle
         RecordError: a marker does not exist or was never seen, the rest interval is empty, the plane or the
-            pivot is uncertain, or forward is not an axis along the motion
+            pivot is uncertain, forward is not an axis along the motion, or the angle jumps
     """
     for axis in (forward, up or forward):
         if axis not in AXES:
@@ -157,12 +158,15 @@ def measure_angle(
     theta = np.full(len(seen), np.nan)
     rest_radius = (flat[still] - pivot).mean(axis=0)
     theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
+    motion = markers.time[seen], theta[seen], markers.rows[seen]
+    require_no_glitch(markers.source, *motion)
     notes = [
         *markers.notes,
         *rest_notes(np.degrees(theta[seen][still])),
         *plane_notes(plane),
         *(base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
         *(arc_notes(arc) if radius is None else radius_notes(arc, radius)),
+        *glitch_notes(*motion),
     ]
     return AngleMeasurement(
         source=markers.source,

@@ -19,6 +19,7 @@ _RESTLESS: Final = math.radians(0.5)
 _OUT_OF_PLANE: Final = 0.05
 _BASE_MOVES: Final = 0.005
 _RADIUS_UNCERTAIN: Final = 0.01
+_NO_RADIUS: Final = 0.5
 #: Differences of more than this many standard errors between arc radius and measured radius are noted.
 _RADII_DIFFER: Final = 3.0
 
@@ -58,7 +59,10 @@ def arc_notes(arc: Circle) -> list[str]:
 
 
 def radius_notes(arc: Circle, radius: float) -> list[str]:
-    """Note that the measured radius (m) differs from that of the arc."""
+    """Note that the measured radius (m) differs from that of the arc, or that the arc has none."""
+    if not arc.radius_error < _NO_RADIUS * arc.radius:
+        found = f"{1e3 * arc.radius:.0f} +- {1e3 * arc.radius_error:.0f} mm"
+        return [f"the arc does not confirm the radius: its own is {found}"]
     if abs(arc.radius - radius) > _RADII_DIFFER * arc.radius_error:
         return [
             f"the arc's radius is {1e3 * arc.radius:.1f} +- {1e3 * arc.radius_error:.1f} mm, "

@@ -154,7 +154,7 @@ def _cell(cells: list[str], column: int) -> str:
 
 
 def _rate(section: _Section) -> float:
-    text = section.cells(1)[0]
+    text = ",".join(section.cells(1)).rstrip(",")
     try:
         rate = number_of_text(text)
     except ValueError:

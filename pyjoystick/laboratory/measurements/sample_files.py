@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -20,6 +21,7 @@ from pyjoystick.motion import (
     RecordError,
     TableHead,
     no_number,
+    numbers_samples,
     read_table_head,
     require_whole_end,
 )
@@ -88,11 +90,47 @@ class SampleFile:
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """A table with the positions of values and time; None if there is no time."""
+    """A table with the positions of values and time; None if there is no time, or no numbers of samples."""
 
     head: TableHead
     values: Match
     time: Match | None
+    numbers: Match | None
+
+
+@dataclass(slots=True)
+class _Count:
+    """A column that numbers the samples; `step` and `last` are known once it was read."""
+
+    file: SampleFile
+    match: Match
+    step: float = math.nan
+    last: float = math.nan
+
+    def follow(self, table: pd.DataFrame, first: int) -> None:
+        """Raise RecordError where the numbers skip some; a column that does not count at all is ignored."""
+        try:
+            numbers = _numbers(self.file, self.match, table, first)
+        except RecordError:
+            if not self.step > 0.0:
+                return  # words
+            raise
+        steps = np.diff(numbers, prepend=self.last)
+        if math.isnan(self.step):
+            self.step = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
+            steps[0] = self.step
+        self.last = float(numbers[-1])
+        faults = np.flatnonzero(steps != self.step)
+        if self.step > 0.0 and faults.size:
+            i = int(faults[0])
+            raise RecordError(
+                str(self.file.path),
+                f"the samples are not numbered in steps of {self.step:g} here: are some missing?",
+                "an accelerometer's series has no gaps: cut the file there, or remove the column",
+                column=self.match.heading.text,
+                rows=[first + i],
+                value=f"{numbers[i]:g}",
+            )
 
 
 def open_samples(
@@ -121,8 +159,18 @@ def open_samples(
     if "time" not in found:
         _require_rate(path, rate)
     require_whole_end(head)
-    layout = _Layout(head, found[column.name], found.get("time"))
+    time = found.get("time")
+    numbers = None if time else _numbers_of_samples(head, found[column.name])
+    layout = _Layout(head, found[column.name], time, numbers)
     return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
+
+
+def _numbers_of_samples(head: TableHead, values: Match) -> Match | None:
+    """The first column that numbers the samples by its heading."""
+    for i, heading in enumerate(head.headings):
+        if i != values.index and numbers_samples(heading):
+            return Match(Column(heading.name, {"": 1.0}), heading, i, "")
+    return None
 
 
 def _require_rate(path: Path, rate: float | None) -> None:
@@ -134,6 +182,7 @@ def _require_rate(path: Path, rate: float | None) -> None:
 
 def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]:
     head = layout.head
+    count = _Count(file, layout.numbers) if layout.numbers else None
     first = head.line + 1
     try:
         with pd.read_csv(
@@ -153,6 +202,8 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
                 if layout.time is not None:
                     time = _numbers(file, layout.time, table, first) * layout.time.factor
                 else:
+                    if count is not None:
+                        count.follow(table, first)
                     index = np.arange(first, first + len(values)) - head.line - 1
                     time = index / (file.rate or 1.0)
                 yield Piece(first, time, values)

@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.runs.errors import SweepFileError
+from pyjoystick.runs.sweeps.sampling import digest
 from pyjoystick.runs.sweeps.sweep import ATTRIBUTE
 from pyjoystick.support import MissingPackageError, OutputFileError, replacing
 
@@ -63,7 +64,8 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
     The columns are the varied parameters, the results, ``failed`` and ``message``; the index is ``run``.
 
     Raises:
-        SweepFileError: there is no such file, or it is not a result of a sweep
+        SweepFileError: there is no such file, it is not a result of a sweep, or its runs are not those of its
+            settings: some are missing, twice, in another order, or with other parameters
         MissingPackageError: Parquet without pyarrow
     """
     path = Path(path)
@@ -76,7 +78,21 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
         raise SweepFileError(path, "is not a result of a sweep, or damaged") from error
     if not isinstance(table.attrs.get(ATTRIBUTE), dict):
         raise SweepFileError(path, "is not a result of a sweep: it has no settings")
+    _require_its_runs(path, table)
     return table
+
+
+def _require_its_runs(path: Path, table: pd.DataFrame) -> None:
+    identity = table.attrs[ATTRIBUTE]
+    try:
+        varied, count = list(identity["settings"]["vary"]), identity["runs"]
+        is_whole = table.index.tolist() == list(range(count)) and set(varied) <= set(table)
+        if is_whole and digest(table[varied]) == identity["runs_sha256"]:
+            return
+    except (KeyError, TypeError) as error:
+        raise SweepFileError(path, "is not a result of a sweep: its settings are damaged") from error
+    reason = "its runs are not those of its settings: was the file changed? Make it anew with --overwrite"
+    raise SweepFileError(path, reason)
 
 
 def _is_parquet(path: Path) -> bool:

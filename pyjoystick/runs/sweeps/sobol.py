@@ -42,11 +42,12 @@ def sensitivity(
         ``total``, ``total_low``, ``total_high``; ``attrs["left_out"]`` explains by name why a result has none
 
     Raises:
-        SensitivityError: the design is another, a run failed, or a requested result has no indices
-            because it is missing in some run, too large, or constant
+        SensitivityError: the design is another; a run failed, is missing or there twice; or a requested
+            result has no indices because it is missing in some run, too large, or constant
         UnknownVariableError: there is no result of that name
     """
     parameters, found = _columns(table)
+    table = table.sort_index()
     samples = _samples(table, len(parameters))
     for name in results or ():
         if name not in found:
@@ -85,6 +86,8 @@ def _samples(table: pd.DataFrame, parameters: int) -> int:
             f"{failed} of {len(table)} runs failed; indices without them would be of another distribution. "
             "Choose narrower ranges of the parameters"
         )
+    if table.index.tolist() != list(range(table.attrs["sweep"]["runs"])):
+        raise SensitivityError("Sobol indices need all runs of the sweep, each once, by their numbers from 0")
     return len(table) // (parameters + 2)
 
 

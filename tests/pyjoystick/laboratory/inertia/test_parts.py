@@ -131,6 +131,12 @@ def test_a_file(tmp_path: Path) -> None:
             "column 'ofset (mm)': is not known; known are part, mass",
         ),
         ("cam;", "Total;", "row 5: is no part (found Total); remove the row"),
+        ("cam;", "Sum:;", "row 5: is no part (found Sum:); remove the row"),
+        ("cam;", "TOTAL (all);", "row 5: is no part"),
+        ("cam;", "\u03a3;", "row 5: is no part"),
+        ("cam;", "Total mass;", "row 5: is no part"),
+        ("cam;", ";", "row 5: has no name"),
+        ("cam;", "GRIP;", "row 5: a part occurs twice"),
     ],
 )
 def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, message: str) -> None:
@@ -139,6 +145,13 @@ def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, messag
     with pytest.raises(RecordError) as refused:
         read_parts(path)
     assert message in str(refused.value)
+
+
+def test_a_part_with_the_mass_of_all_others_is_noted() -> None:
+    parts = [rod("knob", 0.1, 0.05, 0.01), rod("shaft", 0.3, 0.1, 0.02), rod("assembly", 0.4, 0.1, 0.0)]
+    assert from_parts(parts[:2]).notes == from_parts([parts[2], *parts[:2]]).notes == ()
+    (note,) = from_parts(parts).notes
+    assert note == "assembly has the mass of all parts before it: a total would count them twice"
 
 
 def test_no_parts_or_a_body_below_the_pivot() -> None:

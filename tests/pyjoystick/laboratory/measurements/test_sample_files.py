@@ -48,6 +48,39 @@ def test_empty_lines_after_the_last_sample_are_no_samples(tmp_path: Path, count:
         _pieces(write(tmp_path / "b.csv", _text(within)))
 
 
+@pytest.mark.parametrize("heading", ["Sample", "Frame", "Nr.", "sample no"])
+@pytest.mark.parametrize("size", [4, 100])
+def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, tmp_path: Path) -> None:
+    """As a time that skips would be: an accelerometer's series has no gaps."""
+
+    def rows(numbers: list[int]) -> str:
+        return _text([f"{n},{i % 4}.5" for i, n in enumerate(numbers)], f"{heading},signal (V)")
+
+    for even in (list(range(12)), list(range(5, 29, 2)), [3] * 12):
+        path = write(tmp_path / "even.csv", rows(even))
+        assert sum(len(piece.time) for piece in _pieces(path, size, rate=50.0)) == 12
+    path = write(tmp_path / "skips.csv", rows([*range(6), *range(16, 22)]))
+    with pytest.raises(RecordError, match=r"row 9: the samples are not numbered in steps of 1 .*found 16"):
+        _pieces(path, size, rate=50.0)
+
+
+def test_words_in_a_column_of_samples_are_no_numbers(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text([f"a{i},{i % 4}.5" for i in range(9)], "Sample,signal (V)"))
+    assert sum(len(piece.time) for piece in _pieces(path, rate=50.0)) == 9
+
+
+@pytest.mark.parametrize(("end", "is_cut"), [("90,3", True), ("90,3.5", False), ("90,3\n", False)])
+def test_a_file_that_ends_within_a_number(end: str, is_cut: bool, tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text(ROWS[:9]) + end)
+    if not is_cut:
+        assert sum(len(piece.time) for piece in _pieces(path)) == 10
+        return
+    with pytest.raises(
+        RecordError, match=r"column 'signal .mV.': the file seems to end within its last number"
+    ):
+        open_samples(path, VOLTS)
+
+
 def test_a_file_without_times_begins_at_zero(tmp_path: Path) -> None:
     path = write(tmp_path / "a.csv", _text([row.split(",")[1] for row in ROWS], "signal (V)"))
     pieces = _pieces(path, rate=50.0)

@@ -72,8 +72,32 @@ def test_a_file_whose_rows_were_changed_is_not_taken_for_finished(
     spoiled = spoil(read_sweep(target))
     spoiled.attrs = read_sweep(target).attrs
     write_sweep(target, spoiled)
-    with pytest.raises(SweepFileError, match="its rows are not those of its settings"):
+    with pytest.raises(SweepFileError, match=r"its (rows|runs) are not those of its settings"):
         run_sweep(small_sweep, target)
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda table: table.iloc[:-1],
+        lambda table: table.iloc[[*range(len(table)), 0]],
+        lambda table: table.iloc[[0, 0, *range(2, len(table))]],
+        lambda table: table.sort_values("theta_start", ascending=False),
+        lambda table: table.assign(theta_start=table["theta_start"].to_numpy()[::-1]),
+        lambda table: table.drop(columns="theta_start"),
+    ],
+)
+def test_a_file_with_other_runs_is_not_read(
+    spoil: Callable[[pd.DataFrame], pd.DataFrame], suffix: str, small_sweep: Sweep, tmp_path: Path
+) -> None:
+    target = tmp_path / f"a{suffix}"
+    run_sweep(small_sweep, target)
+    spoiled = spoil(read_sweep(target))
+    spoiled.attrs = read_sweep(target).attrs
+    write_sweep(target, spoiled)
+    with pytest.raises(SweepFileError, match="its runs are not those of its settings"):
+        read_sweep(target)
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".parquet"])

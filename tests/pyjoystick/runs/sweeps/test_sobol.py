@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 import numpy as np
 import pandas as pd
@@ -31,6 +32,7 @@ def _ishigami(samples: int, method: str = "saltelli") -> pd.DataFrame:
     table.attrs["sweep"] = {
         "settings": {"vary": {name: {} for name in varied}, "sampling": {"method": method}},
         "units": {},
+        "runs": len(table),
     }
     return table
 
@@ -43,6 +45,17 @@ def test_known_indices_lie_within_narrow_intervals() -> None:
         assert (indices[f"{name}_low"] <= known + 1e-12).all()
         assert (indices[f"{name}_high"] >= known - 1e-12).all()
         assert (indices[f"{name}_high"] - indices[f"{name}_low"]).max() < 0.2
+
+
+def test_the_order_of_the_rows_does_not_matter() -> None:
+    table = _ishigami(64)
+    pd.testing.assert_frame_equal(sensitivity(table.sort_values("x1")), sensitivity(table), check_exact=True)
+
+
+@pytest.mark.parametrize("runs", [range(1, 320), [0, *range(319)], range(315)])
+def test_runs_that_are_missing_or_there_twice(runs: Sequence[int]) -> None:
+    with pytest.raises(SensitivityError, match="need all runs of the sweep, each once"):
+        sensitivity(_ishigami(64).iloc[list(runs)])
 
 
 def test_more_samples_narrow_the_intervals() -> None:

@@ -1,0 +1,59 @@
+"""Markers that are somewhere else for some frames: refused if no joystick moves so fast, otherwise noted."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from pyjoystick.laboratory import BASE, TOP, measure_angle, synthetic_markers
+from pyjoystick.laboratory.measurements.angle import AngleMeasurement
+from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.motion import RecordError
+from tests.pyjoystick.laboratory.measurements.made import swing
+
+RATE = 120.0
+TIME = np.arange(360) / RATE
+
+
+def _measured(theta: np.ndarray, moved: dict[int, float], **options: float) -> AngleMeasurement:
+    """Measure an angle (rad) from markers of which the top is moved forward (m) in some frames."""
+    markers = synthetic_markers(TIME, theta, random=np.random.default_rng(4), noise=2e-4)
+    positions = markers.positions.copy()
+    for frame, shift in moved.items():
+        positions[frame, markers.index(TOP), 0] += shift
+    markers = dataclasses.replace(markers, positions=positions)
+    return measure_angle(markers, top=TOP, base=BASE, forward="x", up="z", rest=(2.5, 3.0), **options)
+
+
+@pytest.mark.parametrize("frames", [[157], [100], [40, 41, 42]])
+@pytest.mark.parametrize("shift", [-0.26, 0.15])
+def test_a_marker_that_is_far_off_is_refused(frames: list[int], shift: float) -> None:
+    where = f"rows {frames[0] - 1}-{frames[0]}"
+    with pytest.raises(RecordError, match=rf"{where}: the angle jumps by \d+.* its label swapped"):
+        _measured(swing(TIME), dict.fromkeys(frames, shift), radius=0.266)
+
+
+@pytest.mark.parametrize("frame", [60, 157, 250])
+@pytest.mark.parametrize("shift", [0.02, -0.03])
+def test_a_marker_that_is_a_little_off_is_noted(frame: int, shift: float) -> None:
+    notes = _measured(swing(TIME), {frame: shift}).notes
+    assert any(note.startswith("the angle leaves the motion by up to") for note in notes)
+    assert any(f"row {frame})" in note for note in notes)
+
+
+@pytest.mark.parametrize("degrees", [2.0, 5.0, -18.0, 22.0])
+def test_the_motion_of_a_joystick_is_no_glitch(degrees: float) -> None:
+    """The paper's joystick, which its springs stop with kinks, and the clearance between them."""
+    motion = simulate(NOMINAL, time=TIME, theta_start=np.radians(degrees))
+    assert not [
+        note for note in _measured(motion.theta, {}, radius=0.266).notes if "leaves the motion" in note
+    ]
+
+
+def test_an_arc_without_a_radius_confirms_none() -> None:
+    small = swing(TIME) / 20.0
+    assert any(
+        "the arc does not confirm the radius" in note for note in _measured(small, {}, radius=0.266).notes
+    )
