@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Final
 
@@ -57,14 +58,19 @@ def run(
         opened(damping, fmu, assignments, parameters_file) as (joystick, parameters),
         progress_console().status("simulating"),
     ):
-        table = runs.free_oscillation(
+        release = partial(
+            runs.free_oscillation,
             start,
             fmu=joystick,
             parameters=parameters,
             duration=duration,
-            output_interval=output_interval,
             tolerance=tolerance,
         )
+        table = release(output_interval=output_interval)
+        # Peaks between rows that are far apart would be wrong or missed.
+        fine = table
+        if output_interval > support.DEFAULT_OUTPUT_INTERVAL:
+            fine = release(output_interval=support.DEFAULT_OUTPUT_INTERVAL)
         description = joystick.description
         until = None
         if trusted:
@@ -77,7 +83,7 @@ def run(
             )
     name, degrees = description.path.name, math.degrees(start)
     note_stops(abs(start), parameters)
-    _print_peaks(table, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
+    _print_peaks(fine, f"{name}: free oscillation from {degrees:.6g} deg ({start:.6g} rad), {duration:g} s")
     if until is not None:
         end = "the end" if math.isinf(until) else f"{until:.4g} s"
         output().print(
@@ -88,7 +94,7 @@ def run(
     write_json(
         json,
         lambda notes: runs.release_json(
-            table,
+            fine,
             description,
             parameters,
             tolerance=tolerance,

@@ -126,6 +126,7 @@ def run(
     _print_outcome(sweep, outcome, overwrite=overwrite)
     if outcome.table is None:
         raise typer.Exit(INTERRUPTED)
+    _warn_of_coarse_peaks(sweep, outcome.table)
     if outcome.failed == outcome.done:
         raise typer.Exit(1)
     found = None
@@ -165,6 +166,14 @@ def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome, *, overwrite: bool)
     else:
         before = f" ({outcome.found} runs were finished before)" if outcome.found else ""
         print_progress(f"wrote {outcome.path}{before}")
+
+
+def _warn_of_coarse_peaks(sweep: runs.Sweep, table: pd.DataFrame) -> None:
+    for name in runs.coarse_peaks(table, sweep.settings.results, sweep.settings.time):
+        print_warning(
+            f"peaks of {name} are less than five samples apart, so they are inaccurate or missed: "
+            "choose a shorter output_interval"
+        )
 
 
 def _failures(failures: dict[int, str]) -> list[str]:

@@ -157,7 +157,9 @@ class Fmu(Shown):
 
         Returns:
             a table indexed by ``time`` (s), with one column per variable in the unit of the FMU; at a jump of
-            an input, the row holds the values after it. Integers of any size are exact; text is text.
+            an input, the row holds the values after it, but what an FMU changes at events only, such as
+            integers, Booleans and branches, it may change with the next step. Integers of any size are exact;
+            text is text.
             `make_table` describes where the units are; ``attrs["left_out"]`` names outputs that a table
             cannot hold (binary data, clocks) and that were therefore omitted by default.
 

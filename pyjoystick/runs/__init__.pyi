@@ -70,6 +70,7 @@ from .sweeps.plots import (
     plot_scatter as plot_scatter,
     plot_sensitivity as plot_sensitivity,
 )
+from .sweeps.results import coarse_peaks as coarse_peaks
 from .sweeps.runner import Outcome as Outcome, run_sweep as run_sweep
 from .sweeps.sampling import Sampling as Sampling, design as design
 from .sweeps.settings import Settings as Settings, read_settings as read_settings

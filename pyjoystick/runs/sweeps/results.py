@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import Final
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
 
 from pyjoystick import fmu
 from pyjoystick.fmu import FmuDescription, Peaks, Reduction, Variable, checked_outputs
 from pyjoystick.runs.fmu_settings import difference_of
-from pyjoystick.support import Table
+from pyjoystick.support import FloatArray, Table
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 _KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
     "final": fmu.Final,
@@ -16,6 +21,7 @@ _KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
     "loss": fmu.Loss,
 }
 _DEFAULT_PEAKS: Final = 5
+_FEWEST_BETWEEN_PEAKS: Final = 5
 _LIMITS: Final = ("minimum_height", "minimum_prominence")
 
 
@@ -43,6 +49,27 @@ def variables_of(results: Sequence[Reduction]) -> list[str]:
     """Names of the variables from which the results are computed."""
     names = [name for one in results for name in (one.variable, getattr(one, "derivative", None)) if name]
     return list(dict.fromkeys(names))
+
+
+def coarse_peaks(table: pd.DataFrame, results: Sequence[Reduction], time: FloatArray) -> list[str]:
+    """Names of the variables with peaks that are less than five samples apart in some run.
+
+    Such peaks are wrong by 1e-4 of their value and more, and smaller ones are missed.
+
+    Args:
+        table: results of a sweep
+        results: its reductions
+        time: the samples (s), shape (n,)
+    """
+    found = []
+    closest = _FEWEST_BETWEEN_PEAKS * float(np.max(np.diff(time)))
+    for one in results:
+        if isinstance(one, Peaks) and one.count > 1:
+            times = table[list(one.columns[1::2])].to_numpy(dtype=np.float64)
+            apart = np.diff(times, axis=1)
+            if (apart[np.isfinite(apart)] < closest).any():
+                found.append(one.variable)
+    return found
 
 
 def units_of(results: Sequence[Reduction], description: FmuDescription) -> dict[str, str]:

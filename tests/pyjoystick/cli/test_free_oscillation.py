@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from pathlib import Path
 
@@ -76,6 +77,19 @@ def test_angles_in_radians_and_another_fmu(command: Command, fmus_by_name: Path,
     assert "from -17.1887 deg (-0.3 rad)" in outcome.out
     assert _csv(tmp_path / "a.csv")["theta (rad)"].iloc[0] == -0.3
     assert _csv(tmp_path / "a.csv")["C (N.m.s/rad)"].nunique() > 10
+
+
+def test_peaks_do_not_depend_on_the_interval_of_the_rows(command: Command, tmp_path: Path) -> None:
+    fine = command("free-oscillation", "-a", "-20", "--json", "fine.json")
+    coarse = command(
+        *("free-oscillation", "-a", "-20", "--output-interval", "0.05"),
+        *("--csv", "coarse.csv", "--json", "coarse.json"),
+    )
+    assert coarse.out == fine.out
+    assert json.loads((tmp_path / "coarse.json").read_text()) == json.loads(
+        (tmp_path / "fine.json").read_text()
+    )
+    assert len(_csv(tmp_path / "coarse.csv")) == 31
 
 
 def test_too_short_for_a_peak(command: Command) -> None:

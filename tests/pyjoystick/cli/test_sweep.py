@@ -48,6 +48,17 @@ def _files(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
+@pytest.mark.parametrize(("interval", "warned"), [(0.05, True), (0.01, False)])
+def test_peaks_between_few_samples_are_warned_of(
+    interval: float, warned: bool, command: Command, settings: Path
+) -> None:
+    longer = GRID.replace("duration = 0.2", f"duration = 1.0\noutput_interval = {interval}")
+    settings.write_text(longer.replace("count = 4", 'derivative = "omega"\ncount = 4'))
+    outcome = command("sweep", "two.toml")
+    assert outcome.code == 0
+    assert ("peaks of theta are less than five samples apart" in outcome.err) == warned
+
+
 def test_results_go_beside_the_settings(command: Command, settings: Path, tmp_path: Path) -> None:
     outcome = command("sweep", "two.toml")
     assert outcome.code == 0
