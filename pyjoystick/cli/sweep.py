@@ -171,8 +171,8 @@ def _print_outcome(sweep: runs.Sweep, outcome: runs.Outcome, *, overwrite: bool)
 def _warn_of_coarse_peaks(sweep: runs.Sweep, table: pd.DataFrame) -> None:
     for name in runs.coarse_peaks(table, sweep.settings.results, sweep.settings.time):
         print_warning(
-            f"peaks of {name} are less than five samples apart, so they are inaccurate or missed: "
-            "choose a shorter output_interval"
+            f"peaks of {name} come less than five samples after one another or the start, so they are "
+            "inaccurate or missed: choose a shorter output_interval"
         )
 
 

@@ -56,6 +56,7 @@ from .table_files import (
     DELIMITERS as DELIMITERS,
     LARGEST as LARGEST,
     TableFile as TableFile,
+    cells_of_line as cells_of_line,
     no_number as no_number,
     open_text as open_text,
     read_table_file as read_table_file,

@@ -30,7 +30,7 @@ _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
 #: Larger numbers are not measurements; their powers would overflow.
 LARGEST: Final = 1e60
-_PARTS: Final = re.compile(r"[+-]?\d*([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
+_PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
 #: Number of bytes at the end of a file that show whether it ends within a number.
 _END: Final = 4096
 #: Number of numbers that show the usual decimals.
@@ -50,6 +50,9 @@ class TableFile:
         rows: line number of each row, from 1, shape (n,)
         empty: numbers of the empty lines between these, in order
         decimal: the decimal mark of all numbers, a point or a comma
+        stump: the number within which the file ends, left out of the last row; empty if there is none
+        remarks: numbers of the comment lines between these rows, in order, but for those in `empty`
+        notes: doubts about the table, one sentence each
     """
 
     head: TableHead
@@ -58,6 +61,9 @@ class TableFile:
     rows: NDArray[np.int64]
     empty: tuple[int, ...] = ()
     decimal: str = "."
+    stump: str = ""
+    remarks: tuple[int, ...] = ()
+    notes: tuple[str, ...] = ()
 
     def read(
         self,
@@ -91,7 +97,8 @@ class TableFile:
         """The unconverted column under a heading, shape (n,); empty cells and words such as NA are NaN.
 
         Raises:
-            RecordError: a cell contains something other than a number with the table's decimal mark
+            RecordError: a cell contains something other than a number with the table's decimal mark, or one
+                beyond `LARGEST`
         """
         values = np.empty(len(self.cells))
         for i, cell in enumerate(self.with_points(heading)):
@@ -99,6 +106,16 @@ class TableFile:
                 values[i] = np.nan if cell.lower() in EMPTY else number_of_text(cell)
             except ValueError:
                 raise no_number(self.head.path, heading, int(self.rows[i]), cell) from None
+        beyond = np.flatnonzero(np.isfinite(values) & (np.abs(values) > LARGEST))
+        if beyond.size:
+            raise RecordError(
+                str(self.head.path),
+                f"a number beyond {LARGEST:g}",
+                "correct it",
+                column=heading.text,
+                rows=self.rows[beyond].tolist(),
+                value=self.texts(heading)[beyond[0]],
+            )
         return values
 
     def with_points(self, heading: Heading) -> list[str]:
@@ -133,13 +150,14 @@ class TableFile:
             RecordError: a cell is empty, not a number or not finite
         """
         numbers = self.numbers(heading)
-        bad = np.flatnonzero(~(np.abs(numbers) <= LARGEST))
+        bad = np.flatnonzero(~np.isfinite(numbers))
         if bad.size:
-            is_number = bool(np.isfinite(numbers[bad[0]]))
+            if self.stump and bad[0] == len(numbers) - 1:
+                raise _cut_short(self.head.path, heading, self.rows[-1:].tolist(), self.stump)
             raise RecordError(
                 str(self.head.path),
-                f"a number beyond {LARGEST:g}" if is_number else "samples without a finite number",
-                "correct it" if is_number else advice,
+                "samples without a finite number",
+                advice,
                 column=heading.text,
                 rows=self.rows[bad].tolist(),
                 value=self.texts(heading)[bad[0]] or "nothing",
@@ -150,15 +168,18 @@ class TableFile:
 def is_cut_short(cells: Sequence[str]) -> bool:
     """Whether the last cell of a column has fewer decimals or digits of an exponent than all others.
 
+    Among whole numbers, the digits count.
+
     Where the file does not end with the end of a line, such a number is what was left of a longer one.
     """
     *others, last = (_PARTS.fullmatch(cell) for cell in cells)
     numbers = [one for one in others if one is not None]
     if last is None or len(numbers) < _ENOUGH:
         return False
+    is_whole = not any(one["decimals"] or one["exponent"] for one in (*numbers, last))
     return any(
         len(last[part] or "") < min(len(one[part] or "") for one in numbers)
-        for part in ("decimals", "exponent")
+        for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
     )
 
 
@@ -176,11 +197,13 @@ def require_whole_end(head: TableHead) -> None:
     lines = [line for line in end.splitlines()[1:] if not is_blank(line)]
     cells = [cells_of_line(head.path, 0, line, head.delimiter)[-1] for line in lines]
     if cells and is_cut_short(cells):
-        reason = "the file seems to end within its last number: all others have more decimals"
-        advice = "copy the file again; or end the line if the number is right"
-        raise RecordError(
-            str(head.path), reason, advice, column=head.headings[-1].text, value=repr(cells[-1])
-        )
+        raise _cut_short(head.path, head.headings[-1], [], cells[-1])
+
+
+def _cut_short(path: Path, heading: Heading, rows: list[int], cell: str) -> RecordError:
+    reason = "the file seems to end within its last number: all others have more digits"
+    advice = "copy the file again; or end the line if the number is right"
+    return RecordError(str(path), reason, advice, column=heading.text, rows=rows, value=repr(cell))
 
 
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -23,11 +24,17 @@ _KINDS: Final = {
     "inertia": UNITS["moment of inertia"],
     "offset": UNITS["length"],
 }
-#: Words in the names of rows that add up the others or average them.
+#: Names of rows that add up the others or describe them, and words that may go with these.
 _TOTALS: Final = frozenset(
     (
         *("total", "totals", "totale", "sum", "sums", "\u03c3", "gesamt", "summe", "somme", "suma", "soma"),
-        *("mean", "average", "mittelwert"),
+        *("mean", "average", "mittelwert", "min", "max", "std", "median"),
+    )
+)
+_WITH_TOTALS: Final = frozenset(
+    (
+        *("all", "alle", "assembly", "complete", "gewicht", "mass", "masse", "of"),
+        *("parts", "teile", "the", "weight", "whole"),
     )
 )
 _PART: Final = Column("part", {"": 1.0})
@@ -127,13 +134,23 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
             f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis; the model assumes it on the "
             "axis and neglects the moment of the weight at rest"
         )
-    masses = [part.mass.value for part in parts]
-    notes += (
-        f"{names[i]} has the mass of all parts before it: a total would count them twice"
-        for i in range(2, len(parts))
-        if math.isclose(masses[i], sum(masses[:i]), rel_tol=_SAME_MASS)
-    )
+    notes += _totals(names, [part.mass.value for part in parts])
     return PartsResult(mass, height, about_pivot, tuple(notes))
+
+
+def _totals(names: Sequence[str], masses: Sequence[float]) -> Iterator[str]:
+    """Yield a note for each part with the mass of two or more that follow one another before or behind it."""
+    for i, mass in enumerate(masses):
+        for others in (masses[:i][::-1], masses[i + 1 :]):
+            sums = itertools.accumulate(others)
+            if any(k and math.isclose(one, mass, rel_tol=_SAME_MASS) for k, one in enumerate(sums)):
+                yield f"{names[i]} has the mass of the parts beside it: a total would count them twice"
+                break
+
+
+def _is_total(name: str) -> bool:
+    words = set(re.findall(r"[^\W\d_]+", name.casefold()))
+    return not _TOTALS.isdisjoint(words) and words <= _TOTALS | _WITH_TOTALS
 
 
 def _require_known(file: TableFile) -> None:
@@ -171,7 +188,7 @@ def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:
     _require_known(file)
     parts = []
     for i, name in enumerate(names):
-        if not name or not _TOTALS.isdisjoint(re.findall(r"[^\W\d_]+", name.casefold())):
+        if not name or _is_total(name):
             advice = "remove the row if it would count the other parts twice, or give it another name"
             reason = "is no part" if name else "has no name"
             raise RecordError(str(path), reason, advice, rows=[file.rows[i]], value=name)

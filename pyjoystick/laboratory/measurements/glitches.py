@@ -12,18 +12,22 @@ from numpy.typing import NDArray
 from pyjoystick.motion import RecordError, rows_in_words
 from pyjoystick.support import FloatArray
 
-#: A joystick moves at up to 12 rad/s.
+#: The paper's joystick moves at up to 12 rad/s; a faster step (rad/s) that is this much longer than most of
+#: those beside it is no motion.
 _FASTEST: Final = 30.0
+_JUMP: Final = 4.0
+_BESIDE: Final = 5
 #: A frame is apart if it is off the middle of its neighbors by this angle (rad), and by this multiple of what
 #: most frames around it are.
 _APART: Final = math.radians(1.0)
 _MULTIPLE: Final = 5.0
 _MOST: Final = 0.75
 _AROUND: Final = 10
+_FEWEST: Final = 6
 
 
 def require_no_glitch(source: str, time: FloatArray, theta: FloatArray, rows: NDArray[np.int64]) -> None:
-    """Reject an angle that moves faster than any joystick.
+    """Reject an angle that jumps.
 
     Args:
         source: the markers' file
@@ -32,16 +36,17 @@ def require_no_glitch(source: str, time: FloatArray, theta: FloatArray, rows: ND
         rows: rows of the frames in the file, shape (n,)
 
     Raises:
-        RecordError: the angle moves faster than 30 rad/s between two frames
+        RecordError: the angle moves faster than 30 rad/s between two frames, and not beside them
     """
     steps = np.abs(np.diff(theta))
-    fast = np.flatnonzero(steps > _FASTEST * np.diff(time))
-    if fast.size:
-        i = int(fast[0])
+    for i in np.flatnonzero(steps > _FASTEST * np.diff(time)).tolist():
+        around = np.concatenate((steps[max(0, i - _BESIDE) : i], steps[i + 1 : i + 1 + _BESIDE]))
+        if steps[i] < _JUMP * np.median(around):
+            continue  # a light joystick, which is fast everywhere
         raise RecordError(
             source,
-            f"the angle jumps by {math.degrees(steps[i]):.3g} degrees to the next frame, faster than any "
-            "joystick moves: is a marker somewhere else there, or its label swapped?",
+            f"the angle jumps by {math.degrees(steps[i]):.3g} degrees to the next frame, faster than "
+            "joysticks move: is a marker somewhere else there, or its label swapped?",
             "empty the marker's cells in these frames; short gaps are interpolated",
             rows=rows[i : i + 2].tolist(),
         )
@@ -55,7 +60,7 @@ def glitch_notes(time: FloatArray, theta: FloatArray, rows: NDArray[np.int64]) -
     for i in np.flatnonzero(off > _APART).tolist():
         around = np.concatenate((off[max(0, i - _AROUND) : max(0, i - 2)], off[i + 3 : i + 1 + _AROUND]))
         beside = max(off[i - 1], off[i + 1])
-        if around.size >= _AROUND and off[i] >= beside and off[i] > _MULTIPLE * np.quantile(around, _MOST):
+        if around.size >= _FEWEST and off[i] >= beside and off[i] > _MULTIPLE * np.quantile(around, _MOST):
             apart.append(i)
     if apart:
         most = math.degrees(float(off[apart].max()))

@@ -20,8 +20,10 @@ from pyjoystick.motion import (
     Match,
     RecordError,
     TableHead,
+    cells_of_line,
     no_number,
     numbers_samples,
+    open_text,
     read_table_head,
     require_whole_end,
 )
@@ -29,6 +31,9 @@ from pyjoystick.support import FloatArray
 
 #: Number of samples in a piece.
 PIECE: Final = 1 << 16
+#: The part of the steps of a column that must be alike if it counts: by its heading, and in others.
+_MOST: Final = 0.5
+_NEARLY_ALL: Final = 0.95
 _TIME: Final = replace(TIME, required=False)
 
 
@@ -90,17 +95,16 @@ class SampleFile:
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """A table with the positions of values and time; None if there is no time, or no numbers of samples."""
+    """A table with the positions of values and time; None if there is no time."""
 
     head: TableHead
     values: Match
     time: Match | None
-    numbers: Match | None
 
 
 @dataclass(slots=True)
 class _Count:
-    """A column that numbers the samples; `step` and `last` are known once it was read."""
+    """A column that may count the samples or their times; `step` and `last` are known once it was read."""
 
     file: SampleFile
     match: Match
@@ -108,29 +112,41 @@ class _Count:
     last: float = math.nan
 
     def follow(self, table: pd.DataFrame, first: int) -> None:
-        """Raise RecordError where the numbers skip some; a column that does not count at all is ignored."""
+        """Raise RecordError where a column that counts skips or repeats samples; others are ignored."""
+        if self.step == 0.0:
+            return
         try:
             numbers = _numbers(self.file, self.match, table, first)
         except RecordError:
-            if not self.step > 0.0:
-                return  # words
-            raise
+            if self.step > 0.0:
+                raise
+            numbers = np.zeros(2)  # words
         steps = np.diff(numbers, prepend=self.last)
         if math.isnan(self.step):
-            self.step = float(np.median(steps[1:])) if len(steps) > 1 else 0.0
-            steps[0] = self.step
+            steps = steps[1:]
+            self.step = self._usual(steps)
+            first += 1
         self.last = float(numbers[-1])
-        faults = np.flatnonzero(steps != self.step)
+        # A counter may begin again.
+        faults = np.flatnonzero(
+            (steps > 1.5 * self.step) | (np.abs(steps) < 0.5 * self.step) | np.isnan(steps)
+        )
         if self.step > 0.0 and faults.size:
             i = int(faults[0])
             raise RecordError(
                 str(self.file.path),
-                f"the samples are not numbered in steps of {self.step:g} here: are some missing?",
+                f"the samples do not go on in steps of {self.step:g} here: are some missing?",
                 "an accelerometer's series has no gaps: cut the file there, or remove the column",
                 column=self.match.heading.text,
                 rows=[first + i],
-                value=f"{numbers[i]:g}",
+                value=f"{numbers[i - len(steps)]:g}",
             )
+
+    def _usual(self, steps: FloatArray) -> float:
+        """The usual step of a column that counts; 0 for others."""
+        usual = float(np.median(steps)) if steps.size else 0.0
+        alike = np.mean(np.abs(steps - usual) < 0.5 * usual) if usual > 0.0 else 0.0
+        return usual if alike > (_MOST if numbers_samples(self.match.heading) else _NEARLY_ALL) else 0.0
 
 
 def open_samples(
@@ -159,18 +175,23 @@ def open_samples(
     if "time" not in found:
         _require_rate(path, rate)
     require_whole_end(head)
-    time = found.get("time")
-    numbers = None if time else _numbers_of_samples(head, found[column.name])
-    layout = _Layout(head, found[column.name], time, numbers)
+    _require_width(head)
+    layout = _Layout(head, found[column.name], found.get("time"))
     return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
 
 
-def _numbers_of_samples(head: TableHead, values: Match) -> Match | None:
-    """The first column that numbers the samples by its heading."""
-    for i, heading in enumerate(head.headings):
-        if i != values.index and numbers_samples(heading):
-            return Match(Column(heading.name, {"": 1.0}), heading, i, "")
-    return None
+def _require_width(head: TableHead) -> None:
+    """Reject a first sample of more cells than headings, of which pandas takes the first for an index."""
+    with open_text(head.path) as file:
+        for number, line in enumerate(file, start=1):
+            if number <= head.line:
+                continue
+            cells = len(cells_of_line(head.path, number, line.rstrip("\r\n"), head.delimiter))
+            if cells > len(head.headings):
+                reason = f"has {cells} cells under {len(head.headings)} headings"
+                advice = "are the decimal marks commas? Export it with decimal points"
+                raise RecordError(str(head.path), reason, advice, rows=[number])
+            return
 
 
 def _require_rate(path: Path, rate: float | None) -> None:
@@ -182,7 +203,7 @@ def _require_rate(path: Path, rate: float | None) -> None:
 
 def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]:
     head = layout.head
-    count = _Count(file, layout.numbers) if layout.numbers else None
+    counts = [] if layout.time else _counts(file, layout)
     first = head.line + 1
     try:
         with pd.read_csv(
@@ -197,12 +218,11 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
             encoding="utf-8-sig",
         ) as tables:
             for table in _without_empty_end(tables):
-                _require_width(file, table, first)
                 values = _numbers(file, layout.values, table, first)
                 if layout.time is not None:
                     time = _numbers(file, layout.time, table, first) * layout.time.factor
                 else:
-                    if count is not None:
+                    for count in counts:
                         count.follow(table, first)
                     index = np.arange(first, first + len(values)) - head.line - 1
                     time = index / (file.rate or 1.0)
@@ -212,6 +232,15 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
         advice = "was the file cut off, or are the decimal marks commas? Export it with decimal points"
         reason = f"is not a table of columns: {str(error).strip()}"
         raise RecordError(str(file.path), reason, advice) from error
+
+
+def _counts(file: SampleFile, layout: _Layout) -> list[_Count]:
+    """The columns beside the values."""
+    return [
+        _Count(file, Match(Column(heading.name, {"": 1.0}), heading, i, ""))
+        for i, heading in enumerate(layout.head.headings)
+        if i != layout.values.index
+    ]
 
 
 def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:
@@ -226,13 +255,6 @@ def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]
             held, table = [], table.iloc[end:]
         if len(table):
             held.append(table)
-
-
-def _require_width(file: SampleFile, table: pd.DataFrame, first: int) -> None:
-    """Reject tables in which all rows are too long, because pandas takes their first cells for an index."""
-    if not isinstance(table.index, pd.RangeIndex):
-        advice = "are the decimal marks commas? Export it with decimal points"
-        raise RecordError(str(file.path), "has more cells than headings", advice, rows=[first])
 
 
 def _numbers(file: SampleFile, match: Match, table: pd.DataFrame, first: int) -> FloatArray:

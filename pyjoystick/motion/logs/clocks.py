@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pyjoystick.motion.columns import TIME, Heading, Match
 from pyjoystick.motion.logs.headings import candidates, last_part, meaning, spelled
 from pyjoystick.motion.logs.log_table import LogTable
-from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -56,6 +56,8 @@ def counted_times(table: LogTable, rate: float, used: Collection[int]) -> tuple[
     places = np.arange(len(rows)) + np.searchsorted(empty, rows)
     times = candidates(TIME, table.file.head.headings)
     notes = [f"{one.text!r} is left alone: the samples are {rate:g} per second, as given" for one in times]
+    if table.file.remarks:
+        notes.append(f"comment lines between samples take no time: {rows_in_words(table.file.remarks)}")
     followed = False
     for i, heading in enumerate(table.file.head.headings):
         if i in used or heading in times:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -45,6 +45,9 @@ class Candidate:
         headed: the number of headings
         faults: non-numeric cells in columns of numbers, and ragged rows
         doubtful: whether every decimal mark may be a thousands separator
+        remarks: numbers of the other comment lines between the rows
+        stump: a number that was cut short
+        surplus: whether every row ends with an empty cell that the headings lack
     """
 
     delimiter: str
@@ -57,13 +60,22 @@ class Candidate:
     headed: int
     faults: int
     doubtful: bool
+    remarks: tuple[int, ...] = ()
+    stump: str = ""
+    surplus: bool = False
 
     def without_stump(self) -> Candidate:
         """The table of a file without an end of its last line; the cell of a number cut short is emptied."""
         number, last = self.rows[-1]
         if not is_cut_short([cells[-1] for _, cells in self.rows]):
             return self
-        return replace(self, rows=[*self.rows[:-1], (number, [*last[:-1], ""])])
+        return replace(self, rows=[*self.rows[:-1], (number, [*last[:-1], ""])], stump=last[-1])
+
+    def _notes(self) -> Iterator[str]:
+        if self.stump:
+            yield f"the file seems to end within the number {self.stump}, which is left out"
+        if self.surplus:
+            yield "every row ends with an empty cell beyond the headings: do these stand above their columns?"
 
     def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
         """The table, with times of day and durations in s.
@@ -98,10 +110,22 @@ class Candidate:
         line = self.names[-1][0] if self.names else 0
         rows = np.array([number for number, _ in self.rows], dtype=np.int64)
         head = TableHead(path, tuple(headings), self.delimiter, line)
-        return TableFile(head, comments, tuple(zip(*columns, strict=True)), rows, self.empty, self.decimal)
+        return TableFile(
+            head,
+            comments,
+            tuple(zip(*columns, strict=True)),
+            rows,
+            self.empty,
+            self.decimal,
+            self.stump,
+            self.remarks,
+            tuple(self._notes()),
+        )
 
 
-def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str) -> Candidate | None:
+def find_table(
+    rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, decimal: str, *, is_given: bool = False
+) -> Candidate | None:
     """Find the table in rows of cells; None if there is none with at least two columns of numbers.
 
     Args:
@@ -109,6 +133,7 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
         remarks: the comment lines; the one before the numbers may contain their headings
         delimiter: separator of the cells
         decimal: the decimal mark
+        is_given: whether the decimal mark is certain
     """
     width, empty, longer, rows = of_one_width(rows)
     fitting = [i for i, (_, cells) in enumerate(rows) if len(cells) == width]
@@ -139,23 +164,26 @@ def find_table(rows: Sequence[Row], remarks: Sequence[Row], delimiter: str, deci
     ]
     # In a sheet, a column has its place even without a heading.
     headings = dict([*rows, *remarks])[names[0][0]] if names and delimiter else [" "] * width
-    headed, unheaded = shifted(data, headings, delimiter)
+    headed, unheaded = shifted(data, headings, may_be_commas=delimiter == "," and not is_given)
     columns = [i for i in used if numeric[i]]
     marked = [
         cells[i] for _, cells in data for i in columns if decimal in cells[i] and not clock_of(cells[i])
     ]
-    empty += [number for number, cells in remarks if _is_sample(cells, width, columns, decimal)]
+    lost = [number for number, cells in remarks if _is_sample(cells, width, columns, decimal)]
+    inside = range(data[0][0], data[-1][0])
     return Candidate(
         delimiter,
         decimal,
         tuple((number, [cells[i] for i in used]) for number, cells in names),
         [(number, [cells[i] for i in used]) for number, cells in data],
-        tuple(number for number in sorted(empty) if data[0][0] < number < data[-1][0]),
+        tuple(number for number in sorted([*empty, *lost]) if number in inside),
         tuple(used.index(i) for i in columns),
         min([*ragged[:1], *unheaded[:1]], default=None),
         headed if unheaded else len(used),
         int(bad[start:].sum()) + len(ragged) + len(unheaded),
         bool(marked) and all(map(is_thousands, marked)),
+        tuple(number for number, _ in remarks if number in inside and number not in lost),
+        surplus=len(headings) < width,
     )
 
 

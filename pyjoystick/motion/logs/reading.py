@@ -125,6 +125,7 @@ def read_log(
         rows=table.file.rows[inside],
         left_out=left_out,
         notes=(
+            *table.file.notes,
             *_notes(table, found, left_out),
             *counted,
             *other_clocks(table, found),

@@ -7,6 +7,8 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Final
 
+from pyjoystick.motion.logs.headings import meaning, understood
+
 #: A line number and its cells.
 Row = tuple[int, list[str]]
 #: The number of a row that does not fit its headings, and of its cells.
@@ -14,7 +16,7 @@ Misfit = tuple[int, int]
 
 _UNNAMED: Final = re.compile(r"Unnamed: \d+")
 _WHOLE: Final = re.compile(r"[+-]?\d+")
-_DIGITS: Final = re.compile(r"\d+")
+_DIGITS: Final = re.compile(r"\d+([eE][+-]?\d+)?")
 
 
 def of_one_width(rows: Sequence[Row]) -> tuple[int, list[int], dict[int, int], list[Row]]:
@@ -47,7 +49,7 @@ def _fitted(cells: list[str], width: int) -> list[str]:
     return cells if any(cells[width:]) else cells[:width]
 
 
-def shifted(data: Sequence[Row], headings: Sequence[str], delimiter: str) -> tuple[int, list[Misfit]]:
+def shifted(data: Sequence[Row], headings: Sequence[str], *, may_be_commas: bool) -> tuple[int, list[Misfit]]:
     """Find rows with filled cells under no heading, or whose cells may be shifted under the headings.
 
     An empty cell behind every row is harmless; decimal commas between commas, and numbers of rows before the
@@ -56,7 +58,7 @@ def shifted(data: Sequence[Row], headings: Sequence[str], delimiter: str) -> tup
     Args:
         data: the rows of data, all of one width
         headings: the row of headings, which may be shorter
-        delimiter: separator of the cells
+        may_be_commas: whether decimal commas may be among the commas that separate the cells
 
     Returns:
         the number of headings, and the rows
@@ -69,7 +71,7 @@ def shifted(data: Sequence[Row], headings: Sequence[str], delimiter: str) -> tup
         if any(is_short or _DIGITS.search(cell) for cell in cells[headed:] if cell)
     ]
     samples = [cells for _, cells in data if any(cells)]
-    if is_short and delimiter == "," and not found and _may_have_decimal_commas(samples):
+    if is_short and may_be_commas and not found and _have_decimal_commas(samples, headings[-1]):
         found = [(data[0][0], width)]
     return headed, found
 
@@ -79,9 +81,22 @@ def _headed_columns(headings: Sequence[str]) -> int:
     return max(i + 1 for i, cell in enumerate(headings) if cell and not _UNNAMED.fullmatch(cell))
 
 
-def _may_have_decimal_commas(rows: Sequence[list[str]]) -> bool:
-    """Whether two neighboring cells may be a number with a decimal comma, in all rows between commas."""
-    pairs = (zip(*((cells[i], cells[i + 1]) for cells in rows), strict=True) for i in range(len(rows[0]) - 1))
-    return any(
-        all(map(_WHOLE.fullmatch, before)) and all(map(_DIGITS.fullmatch, behind)) for before, behind in pairs
-    )
+def _have_decimal_commas(rows: Sequence[list[str]], last: str) -> bool:
+    """Whether two neighboring cells seem to be a number with a decimal comma, in all rows between commas.
+
+    Zeros before the digits and negative zeros are certain signs, since whole numbers have none. Otherwise the
+    last column must be one that may be empty, and no number may have a point.
+    """
+    pairs = [[(cells[i], cells[i + 1]) for cells in rows] for i in range(len(rows[0]) - 1)]
+    whole = [
+        pair
+        for pair in pairs
+        if all(_WHOLE.fullmatch(before) and _DIGITS.fullmatch(behind) for before, behind in pair)
+    ]
+    if any(
+        before == "-0" or (behind[0] == "0" and behind != "0") for pair in whole for before, behind in pair
+    ):
+        return True
+    heading = understood(last)
+    may_be_empty = not heading.unit and meaning(heading.name) is None
+    return bool(whole) and may_be_empty and not any("." in cell for cells in rows for cell in cells)

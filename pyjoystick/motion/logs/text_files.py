@@ -17,6 +17,7 @@ from pyjoystick.motion.logs.layout import Layout
 from pyjoystick.motion.logs.row_widths import Row
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.table_files import cells_of_line, is_blank
+from pyjoystick.support import is_number_text
 
 _DELIMITERS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": " "}
 _REMARKS: Final = ("#", "%", "//")
@@ -122,7 +123,9 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
         if lines and one in lines[-1][1] and not (one == " " and found and not given):
             cells = _split(path, lines, one)
             marks = [layout.decimal] if layout.decimal else [".", ","]
-            tables = [find_table(cells, _split(path, remarks, one), one, mark) for mark in marks]
+            aside = _split(path, remarks, one)
+            is_given = bool(layout.decimal)
+            tables = [find_table(cells, aside, one, mark, is_given=is_given) for mark in marks]
             found += _of_best_mark(path, [table for table in tables if table is not None])
     flawless = [one for one in found if not one.faults]
     found = flawless or found
@@ -209,8 +212,15 @@ def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tup
     last = re.search(r"([\t,;])Comment$", found[0][1]) if found else None
     if last is not None:
         columns = found[0][1].count(last[1])
-        found = [(number, last[1].join(line.split(last[1])[:columns])) for number, line in found]
+        found = [(number, _without_comment(line, last[1], columns)) for number, line in found]
     return found
+
+
+def _without_comment(line: str, delimiter: str, columns: int) -> str:
+    """The cells of the columns; the whole line if a number is behind them, where no comment is."""
+    cells = line.split(delimiter)
+    has_number = any(is_number_text(cell.replace(",", ".")) for cell in cells[columns:])
+    return line if has_number else delimiter.join(cells[:columns])
 
 
 def _split(path: Path, lines: Sequence[tuple[int, str]], delimiter: str) -> list[Row]:

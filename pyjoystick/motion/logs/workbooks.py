@@ -28,7 +28,7 @@ _DURATION: Final = re.compile(
 )
 #: Types of cells with numbers, and errors that they show: ``#DIV/0!``, ``#WERT!``, ``Err:502``.
 _NUMBERS: Final = ("float", "percentage", "currency")
-_ERROR: Final = re.compile(r"#[^\W\d].*|[^\W\d]+ ?:\d{3}")
+_ERROR: Final = re.compile(r"#[^\s\d].*|[^\W\d]+ ?:\d{3}")
 _UNITS: Final = {"days": _DAY, "hours": 3600, "minutes": 60, "seconds": 1}
 
 

@@ -109,8 +109,11 @@ def _read_csv(path: Path) -> pd.DataFrame:
     # Read as text first: Python's conversion restores every digit, whatever the version of pandas.
     text = pd.read_csv(path, comment="#", index_col="run", dtype=str, keep_default_na=False)
     table = text.apply(_converted).set_axis(text.index.astype(np.int64), axis=0).rename_axis("run")
-    if header:
-        table.attrs[ATTRIBUTE] = json.loads("".join(header))
+    if not header:
+        return table
+    document = json.loads("".join(header))
+    table = table.astype({name: kind for name, kind in document["types"].items() if name in table})
+    table.attrs[ATTRIBUTE] = document
     return table
 
 

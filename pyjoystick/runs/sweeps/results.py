@@ -20,6 +20,8 @@ _KINDS: Final[dict[str, Callable[[str], Reduction]]] = {
     "extremes": fmu.Extremes,
     "loss": fmu.Loss,
 }
+#: Columns of every result file, besides parameters and results.
+COLUMNS: Final = ("run", "failed", "message")
 _DEFAULT_PEAKS: Final = 5
 _FEWEST_BETWEEN_PEAKS: Final = 5
 _LIMITS: Final = ("minimum_height", "minimum_prominence")
@@ -52,7 +54,7 @@ def variables_of(results: Sequence[Reduction]) -> list[str]:
 
 
 def coarse_peaks(table: pd.DataFrame, results: Sequence[Reduction], time: FloatArray) -> list[str]:
-    """Names of the variables with peaks that are less than five samples apart in some run.
+    """Names of the variables with peaks less than five samples after one another or the start in some run.
 
     Such peaks are wrong by 1e-4 of their value and more, and smaller ones are missed.
 
@@ -64,10 +66,11 @@ def coarse_peaks(table: pd.DataFrame, results: Sequence[Reduction], time: FloatA
     found = []
     closest = _FEWEST_BETWEEN_PEAKS * float(np.max(np.diff(time)))
     for one in results:
-        if isinstance(one, Peaks) and one.count > 1:
+        if isinstance(one, Peaks):
             times = table[list(one.columns[1::2])].to_numpy(dtype=np.float64)
             apart = np.diff(times, axis=1)
-            if (apart[np.isfinite(apart)] < closest).any():
+            first = times[np.isnan(apart).all(axis=1), 0] - time[0]  # the only one
+            if len(time) <= _FEWEST_BETWEEN_PEAKS or (np.append(apart, first) < closest).any():
                 found.append(one.variable)
     return found
 

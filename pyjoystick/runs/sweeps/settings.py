@@ -23,7 +23,7 @@ from pyjoystick.fmu import (
 from pyjoystick.motion import RecordError
 from pyjoystick.runs.experiments import time_grid
 from pyjoystick.runs.fmu_settings import fmu_of, joystick_values, value_of
-from pyjoystick.runs.sweeps.results import read_results
+from pyjoystick.runs.sweeps.results import COLUMNS, columns_of, read_results
 from pyjoystick.runs.sweeps.sampling import METHODS, Sampling
 from pyjoystick.runs.sweeps.variations import Variation, read_variation
 from pyjoystick.support import (
@@ -108,6 +108,9 @@ def read_settings(path: str | PathLike[str] | Table, find: Callable[[str], Path]
         document=root.content,
     )
     root.finish()
+    for name in varied:
+        if name in (*columns_of(settings.results), *COLUMNS):
+            raise root.table("vary").error(name, "has the name of another column of the results")
     return settings
 
 

@@ -127,7 +127,8 @@ class Sweep:
     def table(self, whole: Part) -> pd.DataFrame:
         """Results of all runs: parameters, results, ``failed``, ``message``; indexed by ``run``.
 
-        ``attrs["sweep"]`` has the contents of `identity`, versions of packages and units of columns.
+        ``attrs["sweep"]`` has the contents of `identity`, versions of packages, units of columns and
+        NumPy's types of the parameters.
         """
         results = pd.DataFrame(whole.values, index=self.design.index, columns=self.columns)
         table = pd.concat([self.design, results], axis=1)
@@ -135,7 +136,8 @@ class Sweep:
         fmu = self.settings.fmu
         units = {str(name): fmu.variables[str(name)].unit for name in self.design}
         units |= units_of(self.settings.results, fmu)
-        table.attrs[ATTRIBUTE] = self.identity | {"versions": versions(), "units": units}
+        types = {str(name): column.to_numpy().dtype.str for name, column in self.design.items()}
+        table.attrs[ATTRIBUTE] = self.identity | {"versions": versions(), "units": units, "types": types}
         return table
 
 

@@ -85,7 +85,7 @@ def test_a_torque_that_no_joystick_withstands(command: Command, tmp_path: Path) 
     """Its runs would take minutes, and no fit of them means anything."""
     text = (DATA / "synthetic_driven_1.csv").read_text(encoding="utf-8")
     file = tmp_path / "damaged.csv"
-    file.write_text("\n".join([*text.splitlines()[:-1], "9.0,0.0,1000"]), encoding="utf-8")
+    file.write_text("\n".join([*text.splitlines()[:-1], "9.0,0.0,1000", ""]), encoding="utf-8")
     outcome = command("fit", str(file), "--driven")
     assert outcome.code == 1
     assert "column 'T': reaches 1000 N.m; a joystick takes up to 200 N.m" in outcome.message

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -128,6 +129,41 @@ def test_an_interrupt_ends_the_program_quietly(command: Command, monkeypatch: py
     monkeypatch.setattr("pyjoystick.runs.compare_with_reference", interrupted)
     outcome = command("compare", "-d", "0.1")
     assert (outcome.code, outcome.out) == (130, "")
+
+
+IN_A_CALLBACK = """
+import signal, sys, time, weakref
+import pyjoystick.cli
+from pyjoystick.__main__ import main
+
+class Thing:
+    pass
+
+def run():
+    thing = Thing()
+    guard = weakref.ref(thing, lambda _: signal.raise_signal(signal.{name}))
+    del thing
+    time.sleep(60.0)
+    return 0
+
+pyjoystick.cli.main = run
+sys.exit(main())
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGTERM to be caught")
+@pytest.mark.parametrize(("name", "code"), [("SIGINT", 130), ("SIGTERM", 143)])
+def test_an_interrupt_in_a_callback_is_not_lost(name: str, code: int) -> None:
+    """Python discards what a weak reference's callback raises."""
+    done = subprocess.run(
+        [sys.executable, "-c", IN_A_CALLBACK.replace("{name}", name)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (code, "", "")
 
 
 def test_python_m_pyjoystick_works() -> None:

@@ -48,15 +48,18 @@ def _files(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-@pytest.mark.parametrize(("interval", "warned"), [(0.05, True), (0.01, False)])
+@pytest.mark.parametrize(
+    ("interval", "count", "warned"),
+    [(0.05, 4, True), (0.01, 4, False), (0.1, 1, True), (0.2, 5, True), (0.5, 2, True), (0.01, 1, False)],
+)
 def test_peaks_between_few_samples_are_warned_of(
-    interval: float, warned: bool, command: Command, settings: Path
+    interval: float, count: int, warned: bool, command: Command, settings: Path
 ) -> None:
     longer = GRID.replace("duration = 0.2", f"duration = 1.0\noutput_interval = {interval}")
-    settings.write_text(longer.replace("count = 4", 'derivative = "omega"\ncount = 4'))
+    settings.write_text(longer.replace("count = 4", f'derivative = "omega"\ncount = {count}'))
     outcome = command("sweep", "two.toml")
     assert outcome.code == 0
-    assert ("peaks of theta are less than five samples apart" in outcome.err) == warned
+    assert ("peaks of theta come less than five samples after one another" in outcome.err) == warned
 
 
 def test_results_go_beside_the_settings(command: Command, settings: Path, tmp_path: Path) -> None:

@@ -135,6 +135,7 @@ def test_a_file(tmp_path: Path) -> None:
         ("cam;", "TOTAL (all);", "row 5: is no part"),
         ("cam;", "\u03a3;", "row 5: is no part"),
         ("cam;", "Total mass;", "row 5: is no part"),
+        ("cam;", "Std;", "row 5: is no part"),
         ("cam;", ";", "row 5: has no name"),
         ("cam;", "GRIP;", "row 5: a part occurs twice"),
     ],
@@ -148,10 +149,19 @@ def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, messag
 
 
 def test_a_part_with_the_mass_of_all_others_is_noted() -> None:
-    parts = [rod("knob", 0.1, 0.05, 0.01), rod("shaft", 0.3, 0.1, 0.02), rod("assembly", 0.4, 0.1, 0.0)]
-    assert from_parts(parts[:2]).notes == from_parts([parts[2], *parts[:2]]).notes == ()
-    (note,) = from_parts(parts).notes
-    assert note == "assembly has the mass of all parts before it: a total would count them twice"
+    knob, shaft, base = rod("knob", 0.1, 0.05, 0.01), rod("shaft", 0.3, 0.1, 0.02), rod("base", 0.5, 0.1, 0.0)
+    total = rod("assembly", 0.4, 0.1, 0.0)
+    assert from_parts([base, knob, shaft]).notes == ()
+    for parts in ([knob, shaft, total], [total, knob, shaft, base], [base, knob, shaft, total]):
+        (note,) = from_parts(parts).notes
+        assert note == "assembly has the mass of the parts beside it: a total would count them twice"
+
+
+@pytest.mark.parametrize("name", ["sum plate", "total station adapter", "maximum"])
+def test_a_part_may_have_the_word_of_a_total_in_its_name(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "parts.csv"
+    file.write_text(FILE.replace("cam;", f"{name};"), encoding="utf-8")
+    assert name in [part.name for part in read_parts(file)]
 
 
 def test_no_parts_or_a_body_below_the_pivot() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 from pyjoystick.laboratory import BASE, TOP, measure_angle, synthetic_markers
 from pyjoystick.laboratory.measurements.angle import AngleMeasurement
+from pyjoystick.laboratory.measurements.glitches import require_no_glitch
 from pyjoystick.model import NOMINAL, simulate
 from pyjoystick.motion import RecordError
 from tests.pyjoystick.laboratory.measurements.made import swing
@@ -43,6 +44,14 @@ def test_a_marker_that_is_a_little_off_is_noted(frame: int, shift: float) -> Non
     assert any(f"row {frame})" in note for note in notes)
 
 
+@pytest.mark.parametrize("frame", [0, 1, 2, 3, 356, 357, 358, 359])
+@pytest.mark.parametrize("shift", [0.02, -0.05])
+def test_a_marker_that_is_off_at_first_or_in_the_end(frame: int, shift: float) -> None:
+    notes = _measured(swing(TIME), {frame: shift}).notes
+    rows = {max(1, min(frame, len(TIME) - 2)), frame}
+    assert any("the angle leaves the motion" in note and str(row) in note for note in notes for row in rows)
+
+
 @pytest.mark.parametrize("degrees", [2.0, 5.0, -18.0, 22.0])
 def test_the_motion_of_a_joystick_is_no_glitch(degrees: float) -> None:
     """The paper's joystick, which its springs stop with kinks, and the clearance between them."""
@@ -50,6 +59,13 @@ def test_the_motion_of_a_joystick_is_no_glitch(degrees: float) -> None:
     assert not [
         note for note in _measured(motion.theta, {}, radius=0.266).notes if "leaves the motion" in note
     ]
+
+
+def test_a_light_joystick_is_fast_everywhere() -> None:
+    time = np.arange(480) / 240.0
+    theta = np.radians(20.0) * np.exp(-time) * np.cos(2.0 * np.pi * 18.0 * time)
+    assert np.abs(np.diff(theta)).max() > 30.0 / 240.0
+    require_no_glitch("made", time, theta, np.arange(480))
 
 
 def test_an_arc_without_a_radius_confirms_none() -> None:

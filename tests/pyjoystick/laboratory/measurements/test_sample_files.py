@@ -48,20 +48,42 @@ def test_empty_lines_after_the_last_sample_are_no_samples(tmp_path: Path, count:
         _pieces(write(tmp_path / "b.csv", _text(within)))
 
 
-@pytest.mark.parametrize("heading", ["Sample", "Frame", "Nr.", "sample no"])
-@pytest.mark.parametrize("size", [4, 100])
+@pytest.mark.parametrize("heading", ["Sample", "Nr.", "Sequence", "timestamp (ms)", "i"])
+@pytest.mark.parametrize("size", [20, 100])
 def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, tmp_path: Path) -> None:
     """As a time that skips would be: an accelerometer's series has no gaps."""
 
     def rows(numbers: list[int]) -> str:
         return _text([f"{n},{i % 4}.5" for i, n in enumerate(numbers)], f"{heading},signal (V)")
 
-    for even in (list(range(12)), list(range(5, 29, 2)), [3] * 12):
+    for even in (
+        list(range(12)),
+        list(range(5, 29, 2)),
+        [3] * 12,
+        [*range(250, 256), *range(6)],
+        [3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8],
+    ):
         path = write(tmp_path / "even.csv", rows(even))
         assert sum(len(piece.time) for piece in _pieces(path, size, rate=50.0)) == 12
-    path = write(tmp_path / "skips.csv", rows([*range(6), *range(16, 22)]))
-    with pytest.raises(RecordError, match=r"row 9: the samples are not numbered in steps of 1 .*found 16"):
-        _pieces(path, size, rate=50.0)
+    for number in (50, 39):
+        path = write(tmp_path / "skips.csv", rows([*range(40), *range(number, number + 30)]))
+        what = rf"row 43: the samples do not go on in steps of 1 .*found {number}"
+        with pytest.raises(RecordError, match=what):
+            _pieces(path, size, rate=50.0)
+
+
+@pytest.mark.parametrize(
+    ("heading", "form"),
+    [
+        ("Sample,signal (V)", "{0},5,{1}000"),
+        ("Sample,signal (V),note", "{0},5,{1}000,"),
+        ("signal (V)", "5,{1}000"),
+    ],
+)
+def test_decimal_commas_between_commas_are_refused(heading: str, form: str, tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text([form.format(i, i % 7) for i in range(20)], heading))
+    with pytest.raises(RecordError, match=r"row 3: has \d cells under \d headings; are the decimal ma"):
+        open_samples(path, VOLTS, rate=50.0)
 
 
 def test_words_in_a_column_of_samples_are_no_numbers(tmp_path: Path) -> None:

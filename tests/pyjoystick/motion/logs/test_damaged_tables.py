@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.motion import RecordError, read_log, read_table_file
+from pyjoystick.motion import Layout, RecordError, read_log, read_table_file
 from tests.pyjoystick.motion.logs.made import ANGLE, COUNT, TIME, TORQUE, text, written
 
 DEG = np.radians(1.0)
@@ -143,6 +143,53 @@ def test_an_empty_cell_at_the_end_of_every_row(delimiter: str, tmp_path: Path) -
     first, _, rest = content.partition("\n")
     log = read_log(written(tmp_path / "log.csv", first + "\n" + rest.replace("\n", delimiter + "\n")))
     np.testing.assert_allclose(log.series["T"], TORQUE, atol=1e-9)
+
+
+@pytest.mark.parametrize("headings", ["Sample,time (ms),angle (deg)", "time (ms),trigger,angle (deg)"])
+def test_whole_numbers_before_a_comma_at_the_end_of_every_row(headings: str, tmp_path: Path) -> None:
+    """As microcontrollers print them: these are no decimal commas."""
+    rows = zip(range(COUNT), (1e3 * TIME).tolist(), ANGLE.tolist(), strict=True)
+    lines = (
+        f"{i},{t:.0f},{a:.4f}," if headings[0] == "S" else f"{t:.0f},{i % 2},{a:.4f}," for i, t, a in rows
+    )
+    log = read_log(written(tmp_path / "log.csv", "\n".join((headings, *lines, ""))))
+    np.testing.assert_allclose(log.series["theta"], DEG * ANGLE, atol=1e-6)
+    assert any("every row ends with an empty cell beyond the headings" in note for note in log.notes)
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        ["0,-17,9101,", "10,-17,4203,", "20,-16,9,"],
+        ["0,-1,79101e+01,", "10,-1,74203e+01,", "20,-1,69e+01,"],
+    ],
+)
+def test_decimal_commas_may_be_what_they_are(rows: list[str], tmp_path: Path) -> None:
+    """Where a point is given as the decimal mark, whole numbers are believed."""
+    file = written(tmp_path / "log.csv", "\n".join(("time (ms),angle (deg),note", *rows, "")))
+    with pytest.raises(RecordError, match="row 2: has 4 cells under 3 headings"):
+        read_log(file)
+    assert len(read_log(file, layout=Layout(decimal=".")).series["theta"]) == 3
+
+
+@pytest.mark.parametrize(
+    "comment", ["# -2.34,-0.37,outlier", "# outlier: -2.34,-0.37", "#NaN,-0.37", "#,-0.37", "# pause"]
+)
+def test_other_comments_between_samples_take_no_time(comment: str, tmp_path: Path) -> None:
+    lines = ["angle (deg),torque (N.m)", *_lines("{1:.4f},{2:.4f}\n").splitlines()]
+    file = written(tmp_path / "log.csv", "\n".join(("# bench 3", *lines[:40], comment, *lines[40:], "# end")))
+    log = read_log(file, rate=250.0)
+    assert len(log.series["time"]) == COUNT
+    assert "comment lines between samples take no time: row 42" in log.notes
+
+
+def test_a_file_that_ends_within_a_whole_number(tmp_path: Path) -> None:
+    rows = [f"{t:.3f},{a:.3f},{1400 + i}" for i, (t, a) in enumerate(zip(TIME, ANGLE, strict=True))]
+    content = "\n".join(("time (s),angle (deg),torque (mN.m)", *rows))
+    assert not read_log(written(tmp_path / "whole.csv", content)).left_out.size
+    log = read_log(written(tmp_path / "log.csv", content[:-2]))
+    assert log.left_out.tolist() == [121]
+    assert "the file seems to end within the number 15, which is left out" in log.notes
 
 
 def test_a_file_with_the_end_mark_of_dos(tmp_path: Path) -> None:

@@ -580,6 +580,11 @@ def test_a_labview_measurement(comment: str, delimiter: str, tmp_path: Path) -> 
     file = written(tmp_path / "start.lvm", LABVIEW.format(at_first).replace("\t", delimiter), "utf-8")
     np.testing.assert_array_equal(read_log(file, **names).series["theta"], log.series["theta"])
 
+    shifted = table.replace(f"{comment}\n", "\t0.5\n")
+    file = written(tmp_path / "shifted.lvm", LABVIEW.format(shifted).replace("\t", delimiter), "utf-8")
+    with pytest.raises(RecordError, match=r"holds no two columns|has \d cells under \d headings"):
+        read_log(file, **names)
+
     file = written(tmp_path / "two.lvm", LABVIEW.format(2 * table), "utf-8")
     with pytest.raises(RecordError, match=r"two.lvm, row 141: holds 2 measurements"):
         read_log(file, **names)

@@ -38,7 +38,7 @@ def test_texts_with_other_decimals_are_numbers(tmp_path: Path) -> None:
     np.testing.assert_allclose(log.series["T"], TORQUE, rtol=0.0, atol=1e-6)
 
 
-@pytest.mark.parametrize("shown", ["#DIV/0!", "#WERT!", "Err:502", "Fehler:502", "#N/A"])
+@pytest.mark.parametrize("shown", ["#DIV/0!", "#WERT!", "Err:502", "Fehler:502", "#N/A", "#\u00a1VALOR!"])
 def test_errors_stored_as_zero_in_ods_are_left_out(shown: str, tmp_path: Path) -> None:
     """As OpenOffice writes a formula without a result."""
     _spoil(tmp_path / "log.ods", "0", shown)

@@ -15,6 +15,7 @@ import pytest
 from pyjoystick.runs import Sweep, SweepFileError, read_sweep
 from pyjoystick.runs.sweeps import files
 from pyjoystick.runs.sweeps.files import check_target, write_sweep
+from pyjoystick.runs.sweeps.sampling import digest
 from pyjoystick.runs.sweeps.sweep import Part
 from pyjoystick.support import MissingPackageError, OutputFileError
 
@@ -48,6 +49,36 @@ def test_results_come_back_bit_for_bit_with_their_settings(
     assert document["units"]["theta.peak1_time"] == "s"
     assert document["units"]["damping.C"] == "N.m.s/rad"
     assert document["versions"]["numpy"] == np.__version__
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+@pytest.mark.parametrize(
+    "values",
+    [
+        np.array([1, 2], np.uint64),
+        np.array([1, 2**64 - 1], np.uint64),
+        np.array([-1, 2**53 + 1]),
+        np.array([-0.0, 1e300]),
+        np.array([2.0, 3.0]),
+        np.array([True, False]),
+    ],
+)
+def test_parameters_of_every_type_are_those_of_the_settings(
+    values: np.ndarray, suffix: str, tmp_path: Path
+) -> None:
+    table = pd.DataFrame({"p": values, "y.final": [0.5, 1.0], "failed": False, "message": ""}).rename_axis(
+        "run"
+    )
+    table.attrs["sweep"] = {
+        "settings": {"vary": {"p": {}}},
+        "runs": 2,
+        "runs_sha256": digest(table[["p"]]),
+        "types": {"p": values.dtype.str},
+    }
+    write_sweep(tmp_path / f"a{suffix}", table)
+    again = read_sweep(tmp_path / f"a{suffix}")["p"].to_numpy()
+    assert again.dtype == values.dtype
+    assert again.tobytes() == values.tobytes()
 
 
 def test_other_tools_read_the_files(small_sweep: Sweep, tmp_path: Path) -> None:

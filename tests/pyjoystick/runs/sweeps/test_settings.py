@@ -15,6 +15,7 @@ from pyjoystick.motion import RecordError
 from pyjoystick.runs import Sampling, Settings, Sweep, read_settings
 from pyjoystick.runs.sweeps.variations import Levels, LogNormal, LogUniform, Normal, Uniform
 from pyjoystick.support import InputFileError, PyJoystickError, SettingsError
+from tests.pyjoystick.fmu.doctored import doctored
 from tests.pyjoystick.runs.sweeps.conftest import SMALL, Write
 
 SAMPLED = SMALL.replace('method = "grid"', 'method = "random"\ncount = 3')
@@ -72,6 +73,30 @@ def test_parameters_and_inputs(written: Write, tmp_path: Path) -> None:
     table = read_settings(written(text)).inputs
     assert isinstance(table, pd.DataFrame)
     assert table["T"].to_dict() == {0: 0, 1: 2}
+
+
+@pytest.mark.parametrize("name", ["run", "failed", "message", "y.final"])
+def test_a_parameter_with_the_name_of_another_column(
+    name: str, written: Write, mixed_path: Path, tmp_path: Path
+) -> None:
+    fmu = doctored(
+        mixed_path, tmp_path / "m.fmu", description=lambda text: text.replace('name="gain"', f'name="{name}"')
+    )
+    text = f"""
+        [fmu]
+        path = "{{fmu}}"
+        [sampling]
+        method = "grid"
+        [vary."{name}"]
+        values = [0.5, 1.0]
+        [[results]]
+        kind = "final"
+        variable = "y"
+    """
+    with pytest.raises(
+        SettingsError, match=rf"\[vary\] {name} = .* the name of another column of the results"
+    ):
+        read_settings(written(text, fmu=fmu))
 
 
 def test_types_other_than_real(written: Write, mixed_path: Path) -> None:
