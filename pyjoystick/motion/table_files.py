@@ -128,7 +128,7 @@ class TableFile:
         if self.decimal == ".":
             return texts
         for row, cell in zip(self.rows, texts, strict=True):
-            if "." in cell:
+            if "." in cell and is_number_text(cell):
                 reason = "has a point, but the decimal mark of the table is the comma"
                 advice = (
                     "does it separate thousands? Export the table with one decimal mark and no separators"
