@@ -13,7 +13,6 @@ from .extrema import (
     peaks_among as peaks_among,
 )
 from .labelled import to_xarray as to_xarray
-from .logs.clocks import numbers_samples as numbers_samples
 from .logs.headings import time_heading as time_heading
 from .logs.layout import Layout as Layout, Scale as Scale, scale_of as scale_of
 from .logs.log_table import LogTable as LogTable, read_log_table as read_log_table

@@ -125,7 +125,8 @@ class TableHead:
     def _find(self, column: Column, wanted: str) -> Heading | None:
         """Heading of a column; None for a missing optional one if no heading is `wanted`."""
         name = wanted or column.name
-        found = [heading for heading in self.headings if heading.text == wanted] or self.named(name)
+        # A column without a heading is none of them.
+        found = [one for one in self.headings if one.text == wanted != ""] or self.named(name)
         if not (found or wanted):
             found = [heading for heading in self.headings if heading.name in column.aliases]
         if len(found) == 1:

@@ -15,6 +15,7 @@ import pandas as pd
 from pyjoystick.motion import (
     LARGEST,
     TIME,
+    UNITS,
     Column,
     Heading,
     Match,
@@ -22,18 +23,20 @@ from pyjoystick.motion import (
     TableHead,
     cells_of_line,
     no_number,
-    numbers_samples,
     open_text,
     read_table_head,
     require_whole_end,
+    time_heading,
 )
 from pyjoystick.support import FloatArray
 
 #: Number of samples in a piece.
 PIECE: Final = 1 << 16
-#: The part of the steps of a column that must be alike if it counts: by its heading, and in others.
-_MOST: Final = 0.5
-_NEARLY_ALL: Final = 0.95
+#: The part of the steps of a column that must be alike if it counts.
+_NEARLY_ALL: Final = 0.98
+#: By how much a step is not a multiple of the finest one, and a little more than one of these.
+_ROUNDED: Final = 1e-3
+_ONE: Final = 1.01
 _TIME: Final = replace(TIME, required=False)
 
 
@@ -104,49 +107,64 @@ class _Layout:
 
 @dataclass(slots=True)
 class _Count:
-    """A column that may count the samples or their times; `step` and `last` are known once it was read."""
+    """A column that may count the samples or their times; what it allows is known once it was read.
+
+    Attributes:
+        allowed: the least and the largest step of a column that counts; None for others
+        last: the last number
+    """
 
     file: SampleFile
     match: Match
-    step: float = math.nan
+    allowed: tuple[float, float] | None = (0.0, 0.0)
     last: float = math.nan
 
     def follow(self, table: pd.DataFrame, first: int) -> None:
         """Raise RecordError where a column that counts skips or repeats samples; others are ignored."""
-        if self.step == 0.0:
+        if self.allowed is None:
             return
+        is_first = math.isnan(self.last)
         try:
             numbers = _numbers(self.file, self.match, table, first)
         except RecordError:
-            if self.step > 0.0:
+            if not is_first:
                 raise
-            numbers = np.zeros(2)  # words
-        steps = np.diff(numbers, prepend=self.last)
-        if math.isnan(self.step):
-            steps = steps[1:]
-            self.step = self._usual(steps)
-            first += 1
+            self.allowed = None  # words
+            return
+        steps = np.diff(numbers) if is_first else np.diff(numbers, prepend=self.last)
+        if is_first:
+            self.allowed = _allowed_steps(steps, self.match.heading, self.file.rate or 1.0)
         self.last = float(numbers[-1])
+        low, high = self.allowed or (-math.inf, math.inf)
         # A counter may begin again.
-        faults = np.flatnonzero(
-            (steps > 1.5 * self.step) | (np.abs(steps) < 0.5 * self.step) | np.isnan(steps)
-        )
-        if self.step > 0.0 and faults.size:
-            i = int(faults[0])
+        faults = np.flatnonzero((steps > high) | ((steps < low) & (steps > -high)) | np.isnan(steps))
+        if self.allowed and faults.size:
+            i = int(faults[0]) - len(steps)
             raise RecordError(
                 str(self.file.path),
-                f"the samples do not go on in steps of {self.step:g} here: are some missing?",
+                "the samples do not go on in even steps here: are some missing?",
                 "an accelerometer's series has no gaps: cut the file there, or remove the column",
                 column=self.match.heading.text,
-                rows=[first + i],
-                value=f"{numbers[i - len(steps)]:g}",
+                rows=[first + len(numbers) + i],
+                value=f"{numbers[i]:g}",
             )
 
-    def _usual(self, steps: FloatArray) -> float:
-        """The usual step of a column that counts; 0 for others."""
-        usual = float(np.median(steps)) if steps.size else 0.0
-        alike = np.mean(np.abs(steps - usual) < 0.5 * usual) if usual > 0.0 else 0.0
-        return usual if alike > (_MOST if numbers_samples(self.match.heading) else _NEARLY_ALL) else 0.0
+
+def _allowed_steps(steps: FloatArray, heading: Heading, rate: float) -> tuple[float, float] | None:
+    """The least and the largest step of a column that counts samples or times; None if it does not count.
+
+    Times are rounded to a multiple of something; if a step is none, it differs by that.
+    """
+    time = time_heading(heading.text)
+    usual, margin = float(np.median(steps)) if steps.size else 0.0, 0.5
+    if time is not None and time.unit in UNITS["time"]:
+        step = 1.0 / (rate * UNITS["time"][time.unit])
+        finest = float(np.min(steps[steps > 0.0], initial=np.inf))
+        if abs(step / finest - round(step / finest)) > _ROUNDED:
+            usual, margin = step, _ONE * finest / step
+    if not usual > 0.0 or np.mean(np.abs(steps - usual) <= margin * usual) < _NEARLY_ALL:
+        return None
+    return (1.0 - margin) * usual, (1.0 + margin) * usual
 
 
 def open_samples(

@@ -64,15 +64,15 @@ def counted_times(table: LogTable, rate: float, used: Collection[int]) -> tuple[
             continue
         counter = _counter(table, heading)
         if counter is None:
-            if numbers_samples(heading):
+            if _numbers_samples(heading):
                 notes.append(f"{heading.text!r} does not count evenly: the rows are {rate:g} per second")
             continue
-        if counter.step > 1.0 + _SAME and numbers_samples(heading):
+        if counter.step > 1.0 + _SAME and _numbers_samples(heading):
             step = f"{heading.text!r} counts in steps of {counter.step:g}"
             notes.append(f"{step}; the rows are {rate:g} per second")
         if counter.first_fault < 0 and not len(empty):
             continue
-        if counter.places is not None and numbers_samples(heading) and not followed:
+        if counter.places is not None and _numbers_samples(heading) and not followed:
             notes += _followed(heading, counter.places, places)
             places, followed = counter.places, True
         elif counter.places is None or not np.array_equal(counter.places, places):
@@ -89,7 +89,7 @@ def _followed(heading: Heading, places: NDArray[np.int64], rows: NDArray[np.int6
         yield f"{heading.text!r} {what}, which the times follow"
 
 
-def numbers_samples(heading: Heading) -> bool:
+def _numbers_samples(heading: Heading) -> bool:
     """Return whether the words of a heading say that the column numbers the samples."""
     words = [one.casefold() for one in _WORD.findall(_INNER_CAPITAL.sub(" ", heading.text))]
     return any(one in _WORDS or one.startswith(_STEMS) for one in words)

@@ -52,8 +52,8 @@ def _fitted(cells: list[str], width: int) -> list[str]:
 def shifted(data: Sequence[Row], headings: Sequence[str], *, may_be_commas: bool) -> tuple[int, list[Misfit]]:
     """Find rows with filled cells under no heading, or whose cells may be shifted under the headings.
 
-    An empty cell behind every row is harmless; decimal commas between commas, and numbers of rows before the
-    first column, shift the others.
+    An empty cell behind every row is mostly harmless; decimal commas between commas, and numbers of rows
+    before the first column, shift the others.
 
     Args:
         data: the rows of data, all of one width
@@ -71,7 +71,7 @@ def shifted(data: Sequence[Row], headings: Sequence[str], *, may_be_commas: bool
         if any(is_short or _DIGITS.search(cell) for cell in cells[headed:] if cell)
     ]
     samples = [cells for _, cells in data if any(cells)]
-    if is_short and may_be_commas and not found and _have_decimal_commas(samples, headings[-1]):
+    if is_short and may_be_commas and not found and _may_have_decimal_commas(samples, headings[-1]):
         found = [(data[0][0], width)]
     return headed, found
 
@@ -81,22 +81,16 @@ def _headed_columns(headings: Sequence[str]) -> int:
     return max(i + 1 for i, cell in enumerate(headings) if cell and not _UNNAMED.fullmatch(cell))
 
 
-def _have_decimal_commas(rows: Sequence[list[str]], last: str) -> bool:
-    """Whether two neighboring cells seem to be a number with a decimal comma, in all rows between commas.
+def _may_have_decimal_commas(rows: Sequence[list[str]], last: str) -> bool:
+    """Whether two neighboring cells may be a number with a decimal comma, in all rows between commas.
 
-    Zeros before the digits and negative zeros are certain signs, since whole numbers have none. Otherwise the
-    last column must be one that may be empty, and no number may have a point.
+    The last column is then empty, and no number has a point.
     """
-    pairs = [[(cells[i], cells[i + 1]) for cells in rows] for i in range(len(rows[0]) - 1)]
-    whole = [
-        pair
-        for pair in pairs
-        if all(_WHOLE.fullmatch(before) and _DIGITS.fullmatch(behind) for before, behind in pair)
-    ]
-    if any(
-        before == "-0" or (behind[0] == "0" and behind != "0") for pair in whole for before, behind in pair
-    ):
-        return True
     heading = understood(last)
-    may_be_empty = not heading.unit and meaning(heading.name) is None
-    return bool(whole) and may_be_empty and not any("." in cell for cells in rows for cell in cells)
+    if heading.unit or meaning(heading.name) or any("." in cell for cells in rows for cell in cells):
+        return False
+    pairs = ([(cells[i], cells[i + 1]) for cells in rows] for i in range(len(rows[0]) - 1))
+    return any(
+        all(_WHOLE.fullmatch(before) and _DIGITS.fullmatch(behind) for before, behind in pair)
+        for pair in pairs
+    )

@@ -12,39 +12,12 @@ from xml.etree.ElementTree import Element, SubElement
 from fmpy import read_model_description
 
 from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable
+from pyjoystick.runs.coupling.ssp_elements import NAMESPACES, require_known, tag
 from pyjoystick.runs.coupling.system import Component
 from pyjoystick.support import InputFileError
 
 SspVersion = Literal["1.0", "2.0"]
-#: Namespaces of both versions of the standard, and OMSimulator's.
-NAMESPACES: Final = {
-    "ssc": "http://ssp-standard.org/SSP1/SystemStructureCommon",
-    "ssd": "http://ssp-standard.org/SSP1/SystemStructureDescription",
-    "ssv": "http://ssp-standard.org/SSP1/SystemStructureParameterValues",
-    "pj": "urn:pyjoystick:measured",
-    "oms": "https://raw.githubusercontent.com/OpenModelica/OMSimulator/master/schema/oms.xsd",
-}
 _BASE_UNITS: Final = ("kg", "m", "s", "A", "K", "mol", "cd", "rad", "factor", "offset")
-#: The elements of the standards 1.0 and 2.0, by their namespace.
-_ELEMENTS_OF: Final = {
-    NAMESPACES["ssd"]: frozenset(
-        (
-            *("Annotations", "Component", "Connection", "ConnectionGeometry", "Connections", "Connector"),
-            *("ConnectorGeometry", "Connectors", "DefaultExperiment", "ElementGeometry", "Elements"),
-            *("Enumerations", "GraphicalElements", "MetaData", "Note", "ParameterBinding"),
-            *("ParameterBindings", "ParameterMapping", "ParameterValues", "Signature", "SignalDictionaries"),
-            *("SignalDictionary", "SignalDictionaryReference", "System", "SystemGeometry"),
-            *("SystemStructureDescription", "Units"),
-        )
-    ),
-    NAMESPACES["ssv"]: frozenset(
-        (
-            *("Annotations", "Binary", "Boolean", "Clock", "Dimension", "Enumeration", "Enumerations"),
-            *("Float32", "Float64", "Int16", "Int32", "Int64", "Int8", "Integer", "MetaData", "Parameter"),
-            *("ParameterSet", "Parameters", "Real", "String", "UInt16", "UInt32", "UInt64", "UInt8", "Units"),
-        )
-    ),
-}
 #: One name for the values of all components, because ecos applies only the sets of a given name.
 _PARAMETERS: Final = "parameters"
 _SET_TYPE: Final = "application/x-ssp-parameter-set"
@@ -174,24 +147,13 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
         if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
-        if content is not binding:  # which is part of what is known already
-            require_known(path, content)
-        for one in content.iter():
-            if one.tag.rpartition("}")[2] == "Parameter" and one.tag != tag("ssv:Parameter"):
-                reason = f"parameters in the unknown namespace {one.tag.rpartition('}')[0].lstrip('{')!r}"
-                raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
-        yield from content.iterfind(".//ssv:Parameter", NAMESPACES)
-
-
-def require_known(path: Path, root: Element) -> None:
-    """Raise `InputFileError` for an element that SSP does not have, outside of annotations."""
-    space, _, name = str(root.tag).rpartition("}")
-    if name == "Annotation":
-        return
-    if not space or name not in _ELEMENTS_OF.get(space.lstrip("{"), (name,)):
-        raise InputFileError(path, f"has an element {name!r}, which SSP does not have")
-    for one in root:
-        require_known(path, one)
+        if content is binding:
+            yield from content.iterfind(
+                "ssd:ParameterValues/ssv:ParameterSet/ssv:Parameters/ssv:Parameter", NAMESPACES
+            )
+        else:
+            require_known(path, content, "ssv:ParameterSet")
+            yield from content.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES)
 
 
 def value_of(path: Path, parameter: Element) -> Value:
@@ -223,9 +185,3 @@ def xml_file(root: Element) -> bytes:
     ElementTree.indent(root)
     content: bytes = ElementTree.tostring(root, encoding="UTF-8", xml_declaration=True)
     return content + b"\n"
-
-
-def tag(name: str) -> str:
-    """A name with its namespace."""
-    prefix, _, local = name.partition(":")
-    return f"{{{NAMESPACES[prefix]}}}{local}"

@@ -12,7 +12,6 @@ from xml.etree.ElementTree import Element, SubElement
 
 from pyjoystick.fmu import FmuDescription, Value, find_fmu, read_description
 from pyjoystick.runs.coupling.parameter_sets import (
-    NAMESPACES,
     ParameterNote,
     SspVersion,
     add_type,
@@ -21,11 +20,10 @@ from pyjoystick.runs.coupling.parameter_sets import (
     bound_parameters,
     parameter_set,
     parameter_set_xml,
-    require_known,
-    tag,
     value_of,
     xml_file,
 )
+from pyjoystick.runs.coupling.ssp_elements import NAMESPACES, require_known, tag
 from pyjoystick.runs.coupling.system import Component, Connection, CoupledSystem
 from pyjoystick.runs.errors import CouplingError
 from pyjoystick.support import (
@@ -254,7 +252,7 @@ def system_of(path: Path, root: Element, folder: Path, read: Callable[[str], byt
     top = root.find("ssd:System", NAMESPACES)
     if top is None:
         raise InputFileError(path, f"there is no system in its {root.tag.rpartition('}')[2]}")
-    require_known(path, root)
+    require_known(path, root, "ssd:SystemStructureDescription")
     _refuse(path, top, "ssd:ParameterBindings", "ssd:SignalDictionaries")
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
     for name in set() if experiment is None else {*experiment.attrib} - _OF_EXPERIMENT:

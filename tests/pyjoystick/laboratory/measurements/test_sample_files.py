@@ -67,7 +67,7 @@ def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, 
         assert sum(len(piece.time) for piece in _pieces(path, size, rate=50.0)) == 12
     for number in (50, 39):
         path = write(tmp_path / "skips.csv", rows([*range(40), *range(number, number + 30)]))
-        what = rf"row 43: the samples do not go on in steps of 1 .*found {number}"
+        what = rf"row 43: the samples do not go on in even steps .*found {number}"
         with pytest.raises(RecordError, match=what):
             _pieces(path, size, rate=50.0)
 
@@ -84,6 +84,28 @@ def test_decimal_commas_between_commas_are_refused(heading: str, form: str, tmp_
     path = write(tmp_path / "a.csv", _text([form.format(i, i % 7) for i in range(20)], heading))
     with pytest.raises(RecordError, match=r"row 3: has \d cells under \d headings; are the decimal ma"):
         open_samples(path, VOLTS, rate=50.0)
+
+
+@pytest.mark.parametrize("rate", [1000.0, 1200.0, 1600.0, 970.0, 800.0, 300.0, 44100.0])
+@pytest.mark.parametrize("heading", ["Sample time (ms)", "t_sample [ms]", "Elapsed (ms)", "Point (ms)"])
+def test_rounded_times_beside_a_rate(heading: str, rate: float, tmp_path: Path) -> None:
+    """Only a gap of more than what rounding makes is one."""
+    times = np.round(np.arange(300) / rate * 1e3)
+
+    def text(times: np.ndarray) -> str:
+        return _text([f"{t:.0f},{i % 4}.5" for i, t in enumerate(times)], f"{heading},signal (V)")
+
+    path = write(tmp_path / "a.csv", text(times))
+    assert sum(len(piece.time) for piece in _pieces(path, 100, rate=rate)) == 300
+    if rate < 10_000.0:
+        path = write(tmp_path / "b.csv", text(times + np.where(np.arange(300) >= 200, round(5e3 / rate), 0)))
+        with pytest.raises(RecordError, match="row 203: the samples do not go on in even steps"):
+            _pieces(path, 150, rate=rate)
+
+
+def test_a_column_without_a_heading_is_ignored(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.csv", _text([f"{i}.5,{i % 7}," for i in range(20)], "time (s),signal (V),"))
+    assert sum(len(piece.time) for piece in _pieces(path)) == 20
 
 
 def test_words_in_a_column_of_samples_are_no_numbers(tmp_path: Path) -> None:

@@ -116,8 +116,8 @@ def test_a_torque_with_decimal_commas_beside_points(tmp_path: Path) -> None:
     rows = zip(TIME.tolist(), ANGLE.tolist(), TORQUE.tolist(), strict=True)
     lines = (f"{t:.3f},{a:.4f},{m:.4f},".rsplit(".", 1) for t, a, m in rows)
     content = ",".join(HEADINGS) + "\n" + "".join(f"{one},{other}\n" for one, other in lines)
-    with pytest.raises(RecordError, match="row 2: has 5 cells under 4 headings"):
-        read_log(written(tmp_path / "log.csv", content))
+    log = read_log(written(tmp_path / "log.csv", content))
+    assert any("every row ends with an empty cell beyond the headings" in note for note in log.notes)
 
 
 @pytest.mark.parametrize("delimiter", [",", ";", "\t"])
@@ -160,7 +160,7 @@ def test_whole_numbers_before_a_comma_at_the_end_of_every_row(headings: str, tmp
 @pytest.mark.parametrize(
     "rows",
     [
-        ["0,-17,9101,", "10,-17,4203,", "20,-16,9,"],
+        ["0,-17,0101,", "10,-17,4203,", "20,-16,9,"],
         ["0,-1,79101e+01,", "10,-1,74203e+01,", "20,-1,69e+01,"],
     ],
 )

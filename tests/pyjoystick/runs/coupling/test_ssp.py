@@ -216,15 +216,42 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         (
             '<ssv:Parameter name="J">',
             '<ssv:Parameter name="J"><ssv:Real value="1.0" />',
-            "parameter 'J': has 2 values",
+            "ssv:Parameter 'J': has 2 of ssv:Real, may have one",
         ),
         (
             "SystemStructureParameterValues",
             "SystemStructureParameterValuez",
-            "component 'joystick': parameters in the unknown namespace 'http.*Valuez'",
+            "ssd:ParameterValues: an element 'ParameterSet' of the unknown namespace 'http.*Valuez'",
         ),
-        ("<ssd:Connection ", "<ssd:Conneation ", "has an element 'Conneation', which SSP does not have"),
-        ("<ssd:DefaultExperiment", "<ssd:DefaultExperimelt", "has an element 'DefaultExperimelt'"),
+        ("<ssd:Connection ", "<ssd:Conneation ", "Connections: an element ssd:Conneation does not belong"),
+        (
+            "<ssd:Connection ",
+            "<ssc:Connection ",
+            "Connections: an element ssc:Connection does not belong",
+        ),
+        (
+            '<ssd:Connection startElement="joystick"',
+            '<ssd:Connection><ssc:LinearTransform factor="57.3" /></ssd:Connection><ssd:Connection '
+            'startElement="joystick"',
+            "ssd:Connection: an element ssc:LinearTransform does not belong there",
+        ),
+        (
+            '<ssv:Parameter name="J">',
+            '<ssv:Parameter name="m"><ssv:Real value="1.0" /><ssv:Parameter name="h"><ssv:Real value="5.0" />'
+            '</ssv:Parameter></ssv:Parameter><ssv:Parameter name="J">',
+            "ssv:Parameter 'm': an element ssv:Parameter does not belong there",
+        ),
+        (
+            "<ssd:Elements>",
+            '<ssd:DefaultExperiment stopTime="1.2" /><ssd:Elements>',
+            "ssd:System '.*': an element ssd:DefaultExperiment does not belong there",
+        ),
+        (
+            "<ssd:DefaultExperiment",
+            '<ssd:DefaultExperiment stopTime="1.3" /><ssd:DefaultExperiment',
+            "has 2 of ssd:DefaultExperiment, may have one",
+        ),
+        ("<ssd:DefaultExperiment", "<ssd:DefaultExperimelt", "an element ssd:DefaultExperimelt does not"),
         ('stopTime="1.2"', 'svopTime="1.2"', "DefaultExperiment: 'svopTime' is not one of its attributes"),
         ("ssv:Real", "ssv:Binary", "a value of Binary is not supported"),
         ("ssd:System>", "ssd:Nothing>", "cannot be read"),
