@@ -11,7 +11,7 @@ from typing import Annotated, Final
 import numpy as np
 import typer
 
-from pyjoystick import fmu, identification, model, runs, support
+from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
 from pyjoystick.cli.console import output, print_note, progress_bar, progress_console, write_json, write_plot
 from pyjoystick.cli.fit import settings_of
@@ -168,6 +168,13 @@ def _experiments(
         table = fmu.read_inputs(path, description)
         # The joystick is at rest when the file starts, at any clock time.
         since = table.index.to_numpy(dtype=np.float64) - float(table.index[0])
+        if not 0.0 < since[-1] * rate <= _MOST_SAMPLES:
+            reason = f"lasts {since[-1]:g} s"
+            allowed = f"at {rate:g} Hz, a torque lasts up to {_MOST_SAMPLES / rate:g} s"
+            raise motion.RecordError(str(path), reason, allowed, column="time")
+        for name in settings.inputs:
+            advice = "check its unit"
+            motion.require_plausible_load(path, name, table[name].to_numpy(), name, advice)
         time = np.arange(math.floor(since[-1] * rate) + 1) / rate
         series = {name: np.interp(time, since, table[name]) for name in settings.inputs}
         found.append(identification.Experiment(path.stem, time, inputs=series))

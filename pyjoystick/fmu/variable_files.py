@@ -18,6 +18,7 @@ from pyjoystick.fmu.values import INTEGERS
 from pyjoystick.motion import (
     TIME,
     Column,
+    Heading,
     Match,
     RecordError,
     TableFile,
@@ -42,7 +43,7 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
 
     Raises:
         RecordError: the file is not a table, its first column is no time, a unit is unknown, a cell is not a
-            finite number, or two different times are less than 1e-12 s apart
+            finite number, the time runs backward, or two different times are less than 1e-12 s apart
         UnknownInputError: a column does not have the name of an input
     """
     file = _with_time_first(read_table_file(Path(path)))
@@ -58,6 +59,10 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     found = file.head.match([_TIME, *columns], headings={"time": first.text} | texts)
     table = _table(file, found, fmu)
     steps = np.diff(table.index)
+    backward = np.flatnonzero(steps < 0.0)
+    if backward.size:
+        reason, advice = "the time runs backward", "keep one record a file, its rows in order"
+        raise RecordError(str(path), reason, advice, column=first.text, rows=file.rows[backward + 1])
     close = np.flatnonzero((steps > 0.0) & (steps < _CLOSEST))
     if close.size:
         reason, advice = (
@@ -71,7 +76,7 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
 def _with_time_first(file: TableFile) -> TableFile:
     """The table with the unit of the first heading, which must be a time, understood as that of a log."""
     first, *others = file.head.headings
-    time = time_heading(first.text) if first.text else first
+    time = time_heading(first.text) if first.text else Heading("", "time", "")
     if time is None:
         reason, advice = "the first column must be the time", "name it 'time (s)'"
         raise RecordError(str(file.head.path), reason, advice, column=first.text)

@@ -31,6 +31,7 @@ from .records.free_oscillation import (
     check_free_oscillation as check_free_oscillation,
     require_no_growth as require_no_growth,
 )
+from .records.glitches import glitch_notes as glitch_notes, require_no_glitch as require_no_glitch
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
     GAP as GAP,

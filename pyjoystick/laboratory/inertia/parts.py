@@ -37,6 +37,9 @@ _WITH_TOTALS: Final = frozenset(
         *("parts", "teile", "the", "weight", "whole"),
     )
 )
+_PIECES: Final = re.compile(
+    r"[x\u00d7*]? ?\d+ ?([x\u00d7*]|pcs?\.?|stk\.?|st\u00fcck|pieces?|off)?", re.IGNORECASE
+)
 _PART: Final = Column("part", {"": 1.0})
 _COLUMNS: Final = tuple(
     Column(
@@ -157,10 +160,15 @@ def _require_known(file: TableFile) -> None:
     """Reject columns of numbers that would be ignored, such as a number of pieces."""
     known = {one.heading for one in file.head.match([_PART, *_COLUMNS]).values()}
     for heading in file.head.headings:
-        if heading not in known and _has_numbers(file, heading):
+        if heading not in known and (_has_numbers(file, heading) or _counts_pieces(file.texts(heading))):
             names = ", ".join(column.name for column in (_PART, *_COLUMNS))
             advice = f"known are {names}; a part that is there twice needs two rows"
             raise RecordError(str(file.head.path), "is not known", advice, column=heading.text)
+
+
+def _counts_pieces(cells: Sequence[str]) -> bool:
+    """Whether the cells are numbers of pieces, as ``x4``."""
+    return any(cells) and all(_PIECES.fullmatch(cell) for cell in cells if cell)
 
 
 def _has_numbers(file: TableFile, heading: Heading) -> bool:

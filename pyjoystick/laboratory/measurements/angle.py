@@ -26,11 +26,10 @@ from pyjoystick.laboratory.measurements.angle_notes import (
     radius_notes,
     rest_notes,
 )
-from pyjoystick.laboratory.measurements.glitches import glitch_notes, require_no_glitch
 from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
 from pyjoystick.model import JoystickParameters, Side, angle_of_travel
-from pyjoystick.motion import Record, RecordError
+from pyjoystick.motion import Record, RecordError, glitch_notes, require_no_glitch
 from pyjoystick.support import FloatArray, angle, positive
 
 Origin = Literal["arc", "middle"]
@@ -159,14 +158,19 @@ def measure_angle(
     rest_radius = (flat[still] - pivot).mean(axis=0)
     theta[seen] = angle("rest_angle", rest_angle) + _angle(flat - pivot, rest_radius)
     motion = markers.time[seen], theta[seen], markers.rows[seen]
-    require_no_glitch(markers.source, *motion)
+    require_no_glitch(
+        markers.source,
+        *motion,
+        question="is a marker somewhere else there, or its label swapped?",
+        advice="empty the marker's cells in these frames; short gaps are interpolated",
+    )
     notes = [
         *markers.notes,
         *rest_notes(np.degrees(theta[seen][still])),
         *plane_notes(plane),
         *(base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),
         *(arc_notes(arc) if radius is None else radius_notes(arc, radius)),
-        *glitch_notes(*motion),
+        *glitch_notes(*motion, question="is a marker wrong there?"),
     ]
     return AngleMeasurement(
         source=markers.source,

@@ -18,6 +18,7 @@ from pyjoystick.motion.logs.headings import last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.glitches import glitch_notes, require_no_glitch
 from pyjoystick.motion.records.instrument import require_no_jump
 from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
 from pyjoystick.motion.units import UNITS
@@ -116,6 +117,7 @@ def read_log(
         reason = f"has no samples from {start:g} to {end:g} s" if known.any() else "has no complete row"
         raise RecordError(str(path), reason, "check --from, --to and the columns")
     left_out = np.union1d(table.file.rows[~known], np.array(table.file.empty, dtype=np.int64))
+    motion = series["time"][inside], series["theta"][inside], table.file.rows[inside]
     log = Log(
         path=Path(path),
         form=table.form,
@@ -130,9 +132,16 @@ def read_log(
             *counted,
             *other_clocks(table, found),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
+            *glitch_notes(*motion, question="are these samples wrong?"),
         ),
     )
-    require_no_jump(record_of(log))  # both reject impossible motions
+    require_no_jump(record_of(log))  # all of these reject impossible motions
+    require_no_glitch(
+        str(path),
+        *motion,
+        question="is a sample wrong there?",
+        advice="empty the angle's cell in that row; rows without a number are left out",
+    )
     return log
 
 

@@ -126,6 +126,8 @@ def read_measurements(
     )
     for side, path in (curves or {}).items():
         _require_same(file, path, _curve_values(file, side, found.curves[side]), "import it first")
+    if parts is not None and found.parts is not None:
+        _require_same(file, parts, _parts_values(file, found.parts), "`pyjoystick import parts -p` saves it")
     if fit is not None and found.fit is not None:
         _require_same(file, fit, _fit_values(file, found.fit), "`pyjoystick fit --update` saves it")
     if budget is not None and found.budget is not None:
@@ -223,6 +225,12 @@ def _curve_values(file: ParameterFile, side: Side, curve: LoadCurveFit) -> _Pair
     ):
         for i, (there, here, error) in enumerate(zip(written, measured, errors, strict=True)):
             yield f"{side}.{key}[{i}]", there, here, float(error)
+
+
+def _parts_values(file: ParameterFile, parts: PartsResult) -> _Pairs:
+    """Mass and its height; a swing or a fit may have replaced the moment of inertia."""
+    for name, one in (("m", parts.m), ("h", parts.h)):
+        yield name, getattr(file.joystick, name), one.value, one.uncertainty
 
 
 def _fit_values(file: ParameterFile, fit: FitDocument) -> _Pairs:

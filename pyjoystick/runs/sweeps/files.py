@@ -112,7 +112,8 @@ def _read_csv(path: Path) -> pd.DataFrame:
     if not header:
         return table
     document = json.loads("".join(header))
-    table = table.astype({name: kind for name, kind in document["types"].items() if name in table})
+    types = document.get("types", {})
+    table = table.astype({name: kind for name, kind in types.items() if name in table})
     table.attrs[ATTRIBUTE] = document
     return table
 

@@ -123,6 +123,24 @@ def test_a_torque_begins_where_its_file_does(tmp_path: Path) -> None:
 
 
 @pytest.mark.usefixtures("fmus_by_name")
+@pytest.mark.parametrize(
+    ("rows", "message"),
+    [
+        ("0,0\n0.2,1\n0.1,0.5\n0.3,0", "column 'time (s)', row 4: the time runs backward"),
+        ("0,0\n1e6,1", "column 'time': lasts 1e+06 s; at 60 Hz, a torque lasts up to"),
+        ("0,0", "column 'time': lasts 0 s"),
+        ("0,0\n0.5,15000\n1,0", "column 'T': reaches 1.5e+04 N.m; a joystick takes up to 200 N.m"),
+    ],
+)
+def test_a_torque_that_cannot_be_is_refused(
+    rows: str, message: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "t.csv").write_text(f"time (s),T (N.m)\n{rows}\n")
+    assert main(["design", "--torque", str(tmp_path / "t.csv")]) == 1
+    assert message in " ".join(capsys.readouterr().err.split())
+
+
+@pytest.mark.usefixtures("fmus_by_name")
 def test_an_uncertainty_of_the_settings_is_knowledge_too(tmp_path: Path) -> None:
     settings, out = tmp_path / "fit.toml", tmp_path / "design.json"
     settings.write_text(

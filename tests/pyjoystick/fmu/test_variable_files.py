@@ -45,6 +45,11 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
             read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)
 
 
+def test_times_that_run_backward_are_refused(tmp_path: Path, joystick: FmuDescription) -> None:
+    with pytest.raises(RecordError, match=r"in\.csv, column 'time \(s\)', row 4: the time runs backward"):
+        read_inputs(_file(tmp_path, "time (s),T\n0,1\n0.5,2\n0.4,3\n0.6,4\n"), joystick)
+
+
 def test_a_comma_at_the_end_of_every_line_is_no_input(tmp_path: Path, joystick: FmuDescription) -> None:
     table = read_inputs(_file(tmp_path, "time (s),T,\n0,1,\n,,\n1,2,\n"), joystick)
     assert table["T"].to_dict() == {0.0: 1.0, 1.0: 2.0}

@@ -148,6 +148,17 @@ def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, messag
     assert message in str(refused.value)
 
 
+@pytest.mark.parametrize("form", ["{}", "x{}", "{}x", "{} pcs", "\u00d7 {}", "{} St\u00fcck"])
+def test_a_number_of_pieces_is_not_ignored(form: str, tmp_path: Path) -> None:
+    lines = FILE.splitlines()
+    head = next(i for i, line in enumerate(lines) if line.startswith("part"))
+    counted = [f"{line};{form.format(4 - i % 2)}" for i, line in enumerate(lines[head + 1 :])]
+    file = tmp_path / "parts.csv"
+    file.write_text("\n".join([*lines[:head], f"{lines[head]};Qty", *counted]), encoding="utf-8")
+    with pytest.raises(RecordError, match=r"column 'Qty': is not known; .* a part that is there twice"):
+        read_parts(file)
+
+
 def test_a_part_with_the_mass_of_all_others_is_noted() -> None:
     knob, shaft, base = rod("knob", 0.1, 0.05, 0.01), rod("shaft", 0.3, 0.1, 0.02), rod("base", 0.5, 0.1, 0.0)
     total = rod("assembly", 0.4, 0.1, 0.0)

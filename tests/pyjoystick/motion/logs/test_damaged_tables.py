@@ -45,21 +45,18 @@ def test_a_point_in_a_column_that_is_not_read_does_no_harm(tmp_path: Path) -> No
     np.testing.assert_allclose(log.series["T"], np.round(TORQUE, 4), atol=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("last", "left"),
-    [("0.4760,1", 119), ("0.4760,-0.", 119), ("0.4760,1.25", 119), ("0.4760,1.2500", 120)],
-)
-def test_a_file_that_ends_within_a_number(last: str, left: int, tmp_path: Path) -> None:
-    content = "time (s),angle (deg)\n" + "".join(
-        f"{t:.4f},{a:.4f}\n" for t, a in zip(TIME[:-1], ANGLE[:-1], strict=True)
-    )
-    log = read_log(written(tmp_path / "log.csv", content + last))
-    assert len(log.series["time"]) == left
-    assert log.left_out.tolist() == [121] * (120 - left)
-    assert len(read_log(written(tmp_path / "ended.csv", content + last + "\n")).series["time"]) == 120
-    if left < 120:
+@pytest.mark.parametrize("digits", [2, 3, 4, 6, 7])
+def test_a_file_that_ends_within_a_number(digits: int, tmp_path: Path) -> None:
+    whole = "time (s),angle (deg)\n" + "".join(f"{t:.4f},{a:.4f}\n" for t, a in zip(TIME, ANGLE, strict=True))
+    number = f"{ANGLE[-1]:.4f}"
+    content = whole.removesuffix(f"{number}\n") + number[:digits]
+    is_cut = digits < len(number)
+    log = read_log(written(tmp_path / "log.csv", content))
+    assert log.left_out.tolist() == [121] * is_cut
+    assert len(read_log(written(tmp_path / "ended.csv", content + "\n")).series["time"]) == COUNT
+    if is_cut:
         with pytest.raises(
-            RecordError, match=r"column 'angle .deg.': the file seems to end within its last num"
+            RecordError, match=r"'angle \(deg\)': the file seems to end within its last number"
         ):
             read_table_file(tmp_path / "log.csv")
 
@@ -190,6 +187,25 @@ def test_a_file_that_ends_within_a_whole_number(tmp_path: Path) -> None:
     log = read_log(written(tmp_path / "log.csv", content[:-2]))
     assert log.left_out.tolist() == [121]
     assert "the file seems to end within the number 15, which is left out" in log.notes
+
+
+@pytest.mark.parametrize("row", [5, 60, 118])
+def test_a_sample_that_is_far_off_is_refused(row: int, tmp_path: Path) -> None:
+    angle = ANGLE.copy()
+    angle[row - 2] += 38.0
+    file = written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle))
+    with pytest.raises(
+        RecordError, match=rf"rows {row - 1}-{row}: the angle jumps by .* is a sample wrong there"
+    ):
+        read_log(file)
+
+
+@pytest.mark.parametrize("row", [5, 60, 118])
+def test_a_sample_that_is_a_little_off_is_noted(row: int, tmp_path: Path) -> None:
+    angle = ANGLE.copy()
+    angle[row - 2] += 4.0
+    log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle)))
+    assert any(f"leaves the motion by up to 4 degrees (row {row})" in note for note in log.notes)
 
 
 def test_a_file_with_the_end_mark_of_dos(tmp_path: Path) -> None:

@@ -238,7 +238,7 @@ def test_an_input_file_with_mistakes(written: Write, tmp_path: Path) -> None:
     with pytest.raises(SettingsError, match=r'input_file = "torque.csv": there is no input .S.'):
         read_settings(path)
     (tmp_path / "torque.csv").write_text("time,T\n1,0\n0,1\n")
-    with pytest.raises(SettingsError, match="must be finite and not fall"):
+    with pytest.raises(RecordError, match=r"torque.csv, column 'time', row 3: the time runs backward"):
         read_settings(path)
 
 

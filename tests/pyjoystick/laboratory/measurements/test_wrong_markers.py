@@ -9,9 +9,8 @@ import pytest
 
 from pyjoystick.laboratory import BASE, TOP, measure_angle, synthetic_markers
 from pyjoystick.laboratory.measurements.angle import AngleMeasurement
-from pyjoystick.laboratory.measurements.glitches import require_no_glitch
 from pyjoystick.model import NOMINAL, simulate
-from pyjoystick.motion import RecordError
+from pyjoystick.motion import RecordError, glitch_notes, require_no_glitch
 from tests.pyjoystick.laboratory.measurements.made import swing
 
 RATE = 120.0
@@ -61,11 +60,16 @@ def test_the_motion_of_a_joystick_is_no_glitch(degrees: float) -> None:
     ]
 
 
-def test_a_light_joystick_is_fast_everywhere() -> None:
-    time = np.arange(480) / 240.0
+@pytest.mark.parametrize("rate", [240.0, 500.0, 1000.0])
+@pytest.mark.parametrize("held", [0, 100])
+def test_a_light_joystick_is_fast_everywhere(rate: float, held: int) -> None:
+    time = np.arange(480) / rate
     theta = np.radians(20.0) * np.exp(-time) * np.cos(2.0 * np.pi * 18.0 * time)
-    assert np.abs(np.diff(theta)).max() > 30.0 / 240.0
-    require_no_glitch("made", time, theta, np.arange(480))
+    theta = np.append(np.full(held, theta[0]), theta)
+    time = np.arange(len(theta)) / rate
+    assert np.abs(np.diff(theta)).max() > 30.0 / rate
+    require_no_glitch("made", time, theta, np.arange(len(theta)), "why?", "do")
+    assert not list(glitch_notes(time, theta, np.arange(len(theta)), "why?"))
 
 
 def test_an_arc_without_a_radius_confirms_none() -> None:
