@@ -121,6 +121,14 @@ CONNECTIONS_AND_COUNTS = (
     Meaning(
         rf"(?P<all>{_UNBALANCED})",
         UnsupportedModelError,
+        "{all}, as the compiler counts them; it miscounts some variables that are declared with a function "
+        "of an array, such as this one: write it as an equation",
+        (r"(?<=[;\n])\s*(?:\w+\.)*\w+\s+\w+\s*(?:\([^;()]*\)\s*)?=\s*(?:\w+\.)*FUNCTION\s*\([^;]*(?=;)",),
+        only_there=True,
+    ),
+    Meaning(
+        rf"(?P<all>{_UNBALANCED})",
+        UnsupportedModelError,
         "{all}, as the compiler counts them; it miscounts equations with such a function of an array on the "
         "left: write it on the right, as in 0 = y + f(v) - 1",
         (r"(?<![\w.])(?:\w+\.)*FUNCTION\s*\((?=[^;=]*=(?!=))",),

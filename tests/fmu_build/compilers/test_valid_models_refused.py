@@ -155,6 +155,12 @@ _VALID = {
         "equation connect(g.p, a.n); connect(s.p, a.p); end M;",
         "it miscounts some parameters that a function of an array gives",
     ),
+    "a variable declared with a function of an array": (
+        "model M function f input Real x; input Real t[:]; output Real y; algorithm y := x*t[1]; end f; "
+        "parameter Real p[3] = {1, 0, 0.5}; Real y = f(time, p); Real s(start = 0, fixed = true); "
+        "equation der(s) = y; end M;",
+        "it miscounts some variables that are declared with a function of an array, such as this one",
+    ),
     "a modifier beside a constraining clause": (
         "partial model O Real v; end O; model R extends O; parameter Real r = 1; equation v = r; end R; "
         "model G extends O; parameter Real g = 1; equation v = 1/g; end G; "
