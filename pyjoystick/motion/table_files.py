@@ -9,9 +9,8 @@ from __future__ import annotations
 
 import csv
 import logging
-import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Column, Heading, TableHead
 from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.stumps import cut_short, is_cut_short
 from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _LOG = logging.getLogger(__name__)
@@ -30,11 +30,8 @@ _COMMENT: Final = "#"
 DELIMITERS: Final = ",;\t"
 #: Larger numbers are not measurements; their powers would overflow.
 LARGEST: Final = 1e60
-_PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
 #: Number of bytes at the end of a file that show whether it ends within a number.
 _END: Final = 4096
-#: Number of numbers that show the usual decimals.
-_ENOUGH: Final = 8
 #: Cells without a number, in lower case.
 EMPTY: Final = ("", "nan", "na", "n/a", "null", "none", "-")
 
@@ -153,7 +150,7 @@ class TableFile:
         bad = np.flatnonzero(~np.isfinite(numbers))
         if bad.size:
             if self.stump and bad[0] == len(numbers) - 1:
-                raise _cut_short(self.head.path, heading, self.rows[-1:].tolist(), self.stump)
+                raise cut_short(self.head.path, heading, self.rows[-1:].tolist(), self.stump)
             raise RecordError(
                 str(self.head.path),
                 "samples without a finite number",
@@ -163,24 +160,6 @@ class TableFile:
                 value=self.texts(heading)[bad[0]] or "nothing",
             )
         return numbers
-
-
-def is_cut_short(cells: Sequence[str]) -> bool:
-    """Whether the last cell of a column has fewer decimals or digits of an exponent than all others.
-
-    Among whole numbers, the digits count.
-
-    Where the file does not end with the end of a line, such a number is what was left of a longer one.
-    """
-    *others, last = (_PARTS.fullmatch(cell) for cell in cells)
-    numbers = [one for one in others if one is not None]
-    if last is None or len(numbers) < _ENOUGH:
-        return False
-    is_whole = not any(one["decimals"] or one["exponent"] for one in (*numbers, last))
-    return any(
-        len(last[part] or "") < min(len(one[part] or "") for one in numbers)
-        for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
-    )
 
 
 def require_whole_end(head: TableHead) -> None:
@@ -197,13 +176,7 @@ def require_whole_end(head: TableHead) -> None:
     lines = [line for line in end.splitlines()[1:] if not is_blank(line)]
     cells = [cells_of_line(head.path, 0, line, head.delimiter)[-1] for line in lines]
     if cells and is_cut_short(cells):
-        raise _cut_short(head.path, head.headings[-1], [], cells[-1])
-
-
-def _cut_short(path: Path, heading: Heading, rows: list[int], cell: str) -> RecordError:
-    reason = "the file seems to end within its last number: all others have more digits"
-    advice = "copy the file again; or end the line if the number is right"
-    return RecordError(str(path), reason, advice, column=heading.text, rows=rows, value=repr(cell))
+        raise cut_short(head.path, head.headings[-1], [], cells[-1])
 
 
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,10 +11,10 @@ from typing import Final
 import numpy as np
 import pandas as pd
 
+from pyjoystick.laboratory.measurements.sample_counts import SampleCount
 from pyjoystick.motion import (
     LARGEST,
     TIME,
-    UNITS,
     Column,
     Heading,
     Match,
@@ -26,17 +25,11 @@ from pyjoystick.motion import (
     open_text,
     read_table_head,
     require_whole_end,
-    time_heading,
 )
 from pyjoystick.support import FloatArray
 
 #: Number of samples in a piece.
 PIECE: Final = 1 << 16
-#: The part of the steps of a column that must be alike if it counts.
-_NEARLY_ALL: Final = 0.98
-#: By how much a step is not a multiple of the finest one, and a little more than one of these.
-_ROUNDED: Final = 1e-3
-_ONE: Final = 1.01
 _TIME: Final = replace(TIME, required=False)
 
 
@@ -103,68 +96,6 @@ class _Layout:
     head: TableHead
     values: Match
     time: Match | None
-
-
-@dataclass(slots=True)
-class _Count:
-    """A column that may count the samples or their times; what it allows is known once it was read.
-
-    Attributes:
-        allowed: the least and the largest step of a column that counts; None for others
-        last: the last number
-    """
-
-    file: SampleFile
-    match: Match
-    allowed: tuple[float, float] | None = (0.0, 0.0)
-    last: float = math.nan
-
-    def follow(self, table: pd.DataFrame, first: int) -> None:
-        """Raise RecordError where a column that counts skips or repeats samples; others are ignored."""
-        if self.allowed is None:
-            return
-        is_first = math.isnan(self.last)
-        try:
-            numbers = _numbers(self.file, self.match, table, first)
-        except RecordError:
-            if not is_first:
-                raise
-            self.allowed = None  # words
-            return
-        steps = np.diff(numbers) if is_first else np.diff(numbers, prepend=self.last)
-        if is_first:
-            self.allowed = _allowed_steps(steps, self.match.heading, self.file.rate or 1.0)
-        self.last = float(numbers[-1])
-        low, high = self.allowed or (-math.inf, math.inf)
-        # A counter may begin again.
-        faults = np.flatnonzero((steps > high) | ((steps < low) & (steps > -high)) | np.isnan(steps))
-        if self.allowed and faults.size:
-            i = int(faults[0]) - len(steps)
-            raise RecordError(
-                str(self.file.path),
-                "the samples do not go on in even steps here: are some missing?",
-                "an accelerometer's series has no gaps: cut the file there, or remove the column",
-                column=self.match.heading.text,
-                rows=[first + len(numbers) + i],
-                value=f"{numbers[i]:g}",
-            )
-
-
-def _allowed_steps(steps: FloatArray, heading: Heading, rate: float) -> tuple[float, float] | None:
-    """The least and the largest step of a column that counts samples or times; None if it does not count.
-
-    Times are rounded to a multiple of something; if a step is none, it differs by that.
-    """
-    time = time_heading(heading.text)
-    usual, margin = float(np.median(steps)) if steps.size else 0.0, 0.5
-    if time is not None and time.unit in UNITS["time"]:
-        step = 1.0 / (rate * UNITS["time"][time.unit])
-        finest = float(np.min(steps[steps > 0.0], initial=np.inf))
-        if abs(step / finest - round(step / finest)) > _ROUNDED:
-            usual, margin = step, _ONE * finest / step
-    if not usual > 0.0 or np.mean(np.abs(steps - usual) <= margin * usual) < _NEARLY_ALL:
-        return None
-    return (1.0 - margin) * usual, (1.0 + margin) * usual
 
 
 def open_samples(
@@ -240,8 +171,7 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
                 if layout.time is not None:
                     time = _numbers(file, layout.time, table, first) * layout.time.factor
                 else:
-                    for count in counts:
-                        count.follow(table, first)
+                    _follow(file, counts, table, first)
                     index = np.arange(first, first + len(values)) - head.line - 1
                     time = index / (file.rate or 1.0)
                 yield Piece(first, time, values)
@@ -252,13 +182,28 @@ def _csv_pieces(file: SampleFile, layout: _Layout, size: int) -> Iterator[Piece]
         raise RecordError(str(file.path), reason, advice) from error
 
 
-def _counts(file: SampleFile, layout: _Layout) -> list[_Count]:
-    """The columns beside the values."""
-    return [
-        _Count(file, Match(Column(heading.name, {"": 1.0}), heading, i, ""))
+def _counts(file: SampleFile, layout: _Layout) -> list[tuple[Match, SampleCount]]:
+    """The columns beside the values, which may count the samples."""
+    others = (
+        Match(Column(heading.name, {"": 1.0}), heading, i, "")
         for i, heading in enumerate(layout.head.headings)
         if i != layout.values.index
-    ]
+    )
+    return [(one, SampleCount(str(file.path), one.heading, file.rate or 1.0)) for one in others]
+
+
+def _follow(
+    file: SampleFile, counts: list[tuple[Match, SampleCount]], table: pd.DataFrame, first: int
+) -> None:
+    """Raise RecordError where a column that counts skips samples; drop columns that do not count."""
+    for match, count in list(counts):
+        try:
+            count.follow(_numbers(file, match, table, first), first)
+        except RecordError:
+            if count.counts:
+                raise
+        if not count.counts:
+            counts.remove((match, count))
 
 
 def _without_empty_end(tables: Iterable[pd.DataFrame]) -> Iterator[pd.DataFrame]:

@@ -17,7 +17,8 @@ from pyjoystick.motion.logs.headings import is_unit, understood
 from pyjoystick.motion.logs.row_widths import Misfit, Row, of_one_width, shifted
 from pyjoystick.motion.logs.time_cells import NOTHING, clock_of, of_another_kind, plain_numbers
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.table_files import TableFile, is_cut_short
+from pyjoystick.motion.stumps import is_cut_short
+from pyjoystick.motion.table_files import TableFile
 
 _NUMBERS: Final = {
     mark: re.compile(rf"[+-]?(\d+{part}|{dot}\d+)([eE][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)

@@ -45,7 +45,7 @@ def test_a_point_in_a_column_that_is_not_read_does_no_harm(tmp_path: Path) -> No
     np.testing.assert_allclose(log.series["T"], np.round(TORQUE, 4), atol=1e-9)
 
 
-@pytest.mark.parametrize("digits", [2, 3, 4, 6, 7])
+@pytest.mark.parametrize("digits", [3, 4, 6, 8])
 def test_a_file_that_ends_within_a_number(digits: int, tmp_path: Path) -> None:
     whole = "time (s),angle (deg)\n" + "".join(f"{t:.4f},{a:.4f}\n" for t, a in zip(TIME, ANGLE, strict=True))
     number = f"{ANGLE[-1]:.4f}"

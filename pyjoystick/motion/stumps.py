@@ -1,0 +1,40 @@
+"""Files that end within a number, as after a broken transfer or a loss of power."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Final
+
+from pyjoystick.motion.columns import Heading
+from pyjoystick.motion.records.errors import RecordError
+
+_PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
+#: Number of numbers that show the usual decimals.
+_ENOUGH: Final = 8
+
+
+def is_cut_short(cells: Sequence[str]) -> bool:
+    """Whether the last cell of a column has fewer decimals or digits of an exponent than all others.
+
+    Among whole numbers, the digits count.
+
+    Where the file does not end with the end of a line, such a number is what was left of a longer one.
+    """
+    *others, last = (_PARTS.fullmatch(cell) for cell in cells)
+    numbers = [one for one in others if one is not None]
+    if last is None or len(numbers) < _ENOUGH:
+        return False
+    is_whole = not any(one["decimals"] or one["exponent"] for one in (*numbers, last))
+    return any(
+        len(last[part] or "") < min(len(one[part] or "") for one in numbers)
+        for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
+    )
+
+
+def cut_short(path: Path, heading: Heading, rows: list[int], cell: str) -> RecordError:
+    """Make the error for a file that ends within a number."""
+    reason = "the file seems to end within its last number: all others have more digits"
+    advice = "copy the file again; or end the line if the number is right"
+    return RecordError(str(path), reason, advice, column=heading.text, rows=rows, value=repr(cell))
