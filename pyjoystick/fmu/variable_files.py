@@ -76,6 +76,12 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
 def _with_time_first(file: TableFile) -> TableFile:
     """The table with the unit of the first heading, which must be a time, understood as that of a log."""
     first, *others = file.head.headings
+    if not first.text and file.texts(first) == [str(i) for i in range(len(file.cells))]:
+        reason, advice = (
+            "the first column counts the rows and has no name",
+            "name it 'time (s)' if that is right",
+        )
+        raise RecordError(str(file.head.path), reason, advice, rows=[file.head.line])
     time = time_heading(first.text) if first.text else Heading("", "time", "")
     if time is None:
         reason, advice = "the first column must be the time", "name it 'time (s)'"

@@ -13,14 +13,15 @@ from pyjoystick.motion.records.errors import RecordError
 _PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
 #: Number of numbers that show the usual decimals.
 _ENOUGH: Final = 8
+#: Part of the numbers that may be as short, as 61 among numbers with trailing zeros cut.
+_RARELY: Final = 0.02
 
 
 def is_cut_short(cells: Sequence[str]) -> bool:
-    """Whether the last cell of a column has fewer decimals or digits of an exponent than all others.
+    """Whether the last cell of a column has fewer decimals or digits of an exponent than nearly all others.
 
-    Among whole numbers, the digits count.
-
-    Where the file does not end with the end of a line, such a number is what was left of a longer one.
+    Among whole numbers, the digits count. Where the file does not end with the end of a line, such a number
+    is what was left of a longer one.
     """
     *others, last = (_PARTS.fullmatch(cell) for cell in cells)
     numbers = [one for one in others if one is not None]
@@ -28,7 +29,7 @@ def is_cut_short(cells: Sequence[str]) -> bool:
         return False
     is_whole = not any(one["decimals"] or one["exponent"] for one in (*numbers, last))
     return any(
-        len(last[part] or "") < min(len(one[part] or "") for one in numbers)
+        sum(len(one[part] or "") <= len(last[part] or "") for one in numbers) <= _RARELY * len(numbers)
         for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
     )
 

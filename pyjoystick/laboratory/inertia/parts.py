@@ -37,6 +37,15 @@ _WITH_TOTALS: Final = frozenset(
         *("parts", "teile", "the", "weight", "whole"),
     )
 )
+_COUNTS: Final = frozenset(
+    (
+        *("amount", "anzahl", "cantidad", "count", "menge", "nb", "pcs", "pieces", "pi\u00e8ces"),
+        *("qt\u00e9", "qty", "quantit\u00e9", "quantity", "st\u00fcck"),
+    )
+)
+_IN_NAME: Final = re.compile(
+    r"\d+ ?[x\u00d7] .*|.*[ (,][x\u00d7] ?\d+\)?|.*\(\d+ ?[x\u00d7]\)|.*\d+ ?(pcs|stk)\.?", re.IGNORECASE
+)
 _PIECES: Final = re.compile(
     r"[x\u00d7*]? ?\d+ ?([x\u00d7*]|pcs?\.?|stk\.?|st\u00fcck|pieces?|off)?", re.IGNORECASE
 )
@@ -137,6 +146,9 @@ def from_parts(parts: Sequence[Part]) -> PartsResult:
             f"the center of mass lies {1e3 * off_axis:.3g} mm off the axis; the model assumes it on the "
             "axis and neglects the moment of the weight at rest"
         )
+    notes += (
+        f"{name} counts once: give each piece its own row" for name in names if _IN_NAME.fullmatch(name)
+    )
     notes += _totals(names, [part.mass.value for part in parts])
     return PartsResult(mass, height, about_pivot, tuple(notes))
 
@@ -160,15 +172,19 @@ def _require_known(file: TableFile) -> None:
     """Reject columns of numbers that would be ignored, such as a number of pieces."""
     known = {one.heading for one in file.head.match([_PART, *_COLUMNS]).values()}
     for heading in file.head.headings:
-        if heading not in known and (_has_numbers(file, heading) or _counts_pieces(file.texts(heading))):
+        cells = file.texts(heading)
+        if heading not in known and (_has_numbers(file, heading) or _counts_pieces(heading, cells)):
             names = ", ".join(column.name for column in (_PART, *_COLUMNS))
             advice = f"known are {names}; a part that is there twice needs two rows"
             raise RecordError(str(file.head.path), "is not known", advice, column=heading.text)
 
 
-def _counts_pieces(cells: Sequence[str]) -> bool:
-    """Whether the cells are numbers of pieces, as ``x4``."""
-    return any(cells) and all(_PIECES.fullmatch(cell) for cell in cells if cell)
+def _counts_pieces(heading: Heading, cells: Sequence[str]) -> bool:
+    """Whether the cells are numbers of pieces, by their heading or as ``x4``."""
+    words = re.findall(r"[^\W\d_]+", heading.text.casefold())
+    return any(cells) and (
+        not _COUNTS.isdisjoint(words) or all(_PIECES.fullmatch(cell) for cell in cells if cell)
+    )
 
 
 def _has_numbers(file: TableFile, heading: Heading) -> bool:

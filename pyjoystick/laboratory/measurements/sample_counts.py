@@ -6,6 +6,7 @@ import math
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.motion import UNITS, Heading, RecordError, time_heading
 from pyjoystick.support import FloatArray
@@ -15,6 +16,9 @@ _NEARLY_ALL: Final = 0.98
 #: By how much a step is not a multiple of the finest one, and a little more than one of these.
 _ROUNDED: Final = 1e-3
 _ONE: Final = 1.01
+_FEWEST_BITS: Final = 4
+#: Relative difference of two rates that may be one.
+_SAME_RATE: Final = 0.01
 
 
 class SampleCount:
@@ -35,7 +39,7 @@ class SampleCount:
         self.counts = False
         self._source, self._heading, self._rate = source, heading, rate
         self._low, self._high = -math.inf, math.inf
-        self._last = math.nan
+        self._last, self._row = math.nan, 0
 
     def follow(self, numbers: FloatArray, first: int) -> None:
         """Take the next piece.
@@ -45,40 +49,56 @@ class SampleCount:
             first: row of the first
 
         Raises:
-            RecordError: a column that counts skips or repeats samples
+            RecordError: a column that counts skips or repeats samples, or has times of another rate
         """
-        steps = np.diff(numbers, prepend=self._last) if self.counts else np.diff(numbers)
+        places = np.flatnonzero(np.isfinite(numbers))
+        known, rows = numbers[places], first + places
+        if self.counts:
+            known, rows = np.append(self._last, known), np.append(self._row, rows)
+        steps = np.diff(known) / np.diff(rows)
         if not self.counts:
-            allowed = _allowed_steps(steps, self._heading, self._rate)
+            allowed = _allowed_steps(self._source, steps, self._heading, self._rate)
             if allowed is None:
                 return
             self.counts, (self._low, self._high) = True, allowed
-        self._last = float(numbers[-1])
-        # A counter may begin again.
-        is_short = (steps < self._low) & (steps > -self._high)
-        faults = np.flatnonzero((steps > self._high) | is_short | np.isnan(steps))
+        self._last, self._row = float(known[-1]), int(rows[-1])
+        faults = np.flatnonzero(((steps < self._low) | (steps > self._high)) & ~_begins_again(known))
         if faults.size:
-            i = int(faults[0]) - len(steps)
+            i = int(faults[0]) + 1
             raise RecordError(
                 self._source,
                 "the samples do not go on in even steps here: are some missing?",
                 "an accelerometer's series has no gaps: cut the file there, or remove the column",
                 column=self._heading.text,
-                rows=[first + len(numbers) + i],
-                value=f"{numbers[i]:g}",
+                rows=[int(rows[i])],
+                value=f"{known[i]:g}",
             )
 
 
-def _allowed_steps(steps: FloatArray, heading: Heading, rate: float) -> tuple[float, float] | None:
+def _begins_again(numbers: FloatArray) -> NDArray[np.bool_]:
+    """Whether a counter of whole bits comes from its largest number to its least, 0 or 1, in each step."""
+    largest, least = numbers[:-1], numbers[1:]
+    bits = np.log2(np.maximum(largest + 1.0 - least, 1.0))
+    return np.asarray((least <= 1.0) & (bits >= _FEWEST_BITS) & (bits == np.rint(bits)))
+
+
+def _allowed_steps(
+    source: str, steps: FloatArray, heading: Heading, rate: float
+) -> tuple[float, float] | None:
     """The least and the largest step of a column that counts samples or times; None if it does not count.
 
     Times are rounded to a multiple of something; if a step is none, it differs by that.
     """
     time = time_heading(heading.text)
     usual, margin = float(np.median(steps)) if steps.size else 0.0, 0.5
-    if time is not None and time.unit in UNITS["time"]:
+    if time is not None and time.unit in UNITS["time"] and usual > 0.0:
         step = 1.0 / (rate * UNITS["time"][time.unit])
-        finest = float(np.min(steps[steps > 0.0], initial=np.inf))
+        finest = float(np.min(steps[steps > 0.0]))
+        is_even = np.mean(np.abs(steps - usual) <= _ONE * finest) >= _NEARLY_ALL
+        if is_even and min(abs(usual - step), abs(float(np.mean(steps)) - step)) > _SAME_RATE * step:
+            found = 1.0 / (usual * UNITS["time"][time.unit])
+            reason = f"its times are those of {found:.6g} Hz, the given rate is {rate:g} Hz"
+            raise RecordError(source, reason, "leave the rate out or correct it", column=heading.text)
         if abs(step / finest - round(step / finest)) > _ROUNDED:
             usual, margin = step, _ONE * finest / step
     if not usual > 0.0 or np.mean(np.abs(steps - usual) <= margin * usual) < _NEARLY_ALL:

@@ -198,10 +198,13 @@ def _follow(
     """Raise RecordError where a column that counts skips samples; drop columns that do not count."""
     for match, count in list(counts):
         try:
-            count.follow(_numbers(file, match, table, first), first)
+            numbers = _numbers(file, match, table, first)
         except RecordError:
             if count.counts:
                 raise
+            numbers = np.empty(0)  # words
+        if numbers.size:
+            count.follow(numbers, first)
         if not count.counts:
             counts.remove((match, count))
 

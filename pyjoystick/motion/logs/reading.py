@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from os import PathLike
 from pathlib import Path
 from typing import Final
@@ -132,7 +132,6 @@ def read_log(
             *counted,
             *other_clocks(table, found),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
-            *glitch_notes(*motion, question="are these samples wrong?"),
         ),
     )
     require_no_jump(record_of(log))  # all of these reject impossible motions
@@ -142,7 +141,8 @@ def read_log(
         question="is a sample wrong there?",
         advice="empty the angle's cell in that row; rows without a number are left out",
     )
-    return log
+    doubts = glitch_notes(*motion, question="are these samples wrong?")
+    return replace(log, notes=(*log.notes, *doubts))
 
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import Final
 
 from pyjoystick.motion.logs.headings import meaning, understood
+from pyjoystick.support import is_number_text
 
 #: A line number and its cells.
 Row = tuple[int, list[str]]
@@ -87,7 +88,11 @@ def _may_have_decimal_commas(rows: Sequence[list[str]], last: str) -> bool:
     The last column is then empty, and no number has a point.
     """
     heading = understood(last)
-    if heading.unit or meaning(heading.name) or any("." in cell for cells in rows for cell in cells):
+    if (
+        heading.unit
+        or meaning(heading.name)
+        or any("." in cell and is_number_text(cell) for cells in rows for cell in cells)
+    ):
         return False
     pairs = ([(cells[i], cells[i + 1]) for cells in rows] for i in range(len(rows[0]) - 1))
     return any(

@@ -12,18 +12,23 @@ from numpy.typing import NDArray
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.support import FloatArray
 
-#: The paper's joystick moves at up to 12 rad/s; a faster step (rad/s) that is this much longer than most of
-#: those before and behind it is no motion.
+#: The paper's joystick moves at up to 12 rad/s; a faster step (rad/s) of this size (rad) that is this much
+#: longer than most of those before and behind it is no motion.
 _FASTEST: Final = 30.0
+_LEAST: Final = math.radians(5.0)
 _JUMP: Final = 4.0
 _BESIDE: Final = 5
+#: Part of a jump by which the angle returns in one step near it. It does not where a slow sensor is held.
+_BACK: Final = 0.5
 #: A sample is apart if it is off the line between its neighbors by this angle (rad), and by this multiple of
-#: what most samples before and behind it are.
-_APART: Final = math.radians(1.0)
+#: what most samples before and behind it are; more such samples than this are those of a slow sensor.
+_APART: Final = math.radians(1.5)
 _MULTIPLE: Final = 5.0
-_MOST: Final = 0.75
 _AROUND: Final = 10
 _FEWEST: Final = 6
+_FEW: Final = 12
+#: Part of the samples at which only a mixture of two angles turns back.
+_SAW: Final = 0.2
 
 
 def require_no_glitch(
@@ -40,12 +45,14 @@ def require_no_glitch(
         advice: what to do then
 
     Raises:
-        RecordError: the angle moves faster than 30 rad/s between two samples, and not beside them
+        RecordError: the angle moves faster than 30 rad/s between two samples, not beside them, and back again
     """
-    steps = np.abs(np.diff(theta))
-    for i in np.flatnonzero(steps > _FASTEST * np.diff(time)).tolist():
+    changes = np.diff(theta)
+    steps = np.abs(changes)
+    for i in np.flatnonzero(steps > np.maximum(_FASTEST * np.diff(time), _LEAST)).tolist():
         beside = (steps[max(0, i - _BESIDE) : i], steps[i + 1 : i + 1 + _BESIDE])
-        if steps[i] > _JUMP * max(float(np.median(one)) for one in beside if one.size):
+        usual = max((float(np.median(one)) for one in beside if one.size), default=0.0)
+        if steps[i] > _JUMP * usual and _comes_back(changes, i):
             jump = f"the angle jumps by {math.degrees(steps[i]):.3g} degrees between two samples"
             raise RecordError(
                 source,
@@ -70,18 +77,34 @@ def glitch_notes(
         return
     off = np.zeros(len(theta))
     off[1:-1] = np.abs(theta[1:-1] - _between(time, theta))
+    changes = np.diff(theta)
+    to_and_fro = int(np.sum((changes[:-1] * changes[1:] < 0.0) & (off[1:-1] > _APART)))
+    if to_and_fro > _SAW * len(theta):
+        where = f"at {to_and_fro} of {len(theta)} samples"
+        yield f"the angle goes to and fro {where}: too few for the motion, or two angles in one column?"
+        return
     apart = [i for i in np.flatnonzero(off > _APART).tolist() if _is_apart(off, i)]
-    if apart:
-        most = math.degrees(float(off[apart].max()))
-        where = rows_in_words(rows[apart].tolist())
-        yield f"the angle leaves the motion by up to {most:.2g} degrees ({where}): {question}"
+    if not apart:
+        return
+    most = f"{math.degrees(float(off[apart].max())):.2g} degrees"
+    where = rows_in_words(rows[apart].tolist())
+    if len(apart) > _FEW:
+        yield f"the angle moves in steps of up to {most} ({where}): is its sensor slower than the record?"
+    else:
+        yield f"the angle leaves the motion by up to {most} ({where}): {question}"
 
 
 def _is_apart(off: FloatArray, i: int) -> bool:
     beside = (off[max(0, i - _AROUND) : max(0, i - 2)], off[i + 3 : i + 1 + _AROUND])
-    usual = [float(np.quantile(one, _MOST)) for one in beside if one.size >= _FEWEST]
+    usual = [float(np.median(one)) for one in beside if one.size >= _FEWEST]
     is_largest = bool(off[i] >= max(off[i - 1], off[i + 1]))
     return bool(usual) and is_largest and bool(off[i] > _MULTIPLE * max(usual))
+
+
+def _comes_back(changes: FloatArray, i: int) -> bool:
+    """Whether a step is undone by another one near it."""
+    near = changes[max(0, i - _AROUND) : i + 1 + _AROUND]
+    return bool((near * np.sign(changes[i]) <= -_BACK * abs(changes[i])).any())
 
 
 def _between(time: FloatArray, theta: FloatArray) -> FloatArray:

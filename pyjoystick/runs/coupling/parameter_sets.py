@@ -12,7 +12,7 @@ from xml.etree.ElementTree import Element, SubElement
 from fmpy import read_model_description
 
 from pyjoystick.fmu import INTEGERS, REALS, FmuDescription, Value, Variable
-from pyjoystick.runs.coupling.ssp_elements import NAMESPACES, require_known, tag
+from pyjoystick.runs.coupling.ssp_elements import BESIDES, NAMESPACES, require_known, tag
 from pyjoystick.runs.coupling.system import Component
 from pyjoystick.support import InputFileError
 
@@ -144,7 +144,14 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
                 content = ElementTree.fromstring(read(str(source)))
             except ElementTree.ParseError as error:
                 raise InputFileError(path, f"{source} cannot be read: {error}") from error
-        if binding.get("prefix") or binding.get("sourceBase") or len(binding) != (not source.name):
+        inside = [binding.find(f"ssd:{name}", NAMESPACES) for name in ("ParameterValues", "ParameterMapping")]
+        has_values, has_mapping = (one is not None for one in inside)
+        if (
+            binding.get("prefix")
+            or binding.get("sourceBase")
+            or has_mapping
+            or has_values == bool(source.name)
+        ):
             reason = "parameters with a prefix, a base or a mapping are not supported"
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
         if content is binding:
@@ -158,7 +165,7 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
 
 def value_of(path: Path, parameter: Element) -> Value:
     """Value of a parameter in the archive `path`; raises InputFileError if it is not supported."""
-    values = [one for one in parameter if not one.tag.endswith("}Annotations")]
+    values = [one for one in parameter if one.tag.rpartition("}")[2] not in BESIDES]
     if len(values) > 1:
         raise InputFileError(path, f"parameter {parameter.get('name')!r}: has {len(values)} values")
     typed = next(iter(values), Element("}no type"))

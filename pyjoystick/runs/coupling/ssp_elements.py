@@ -40,7 +40,9 @@ _CHILDREN: Final = {
         "ssd:Elements": "ssd:Component ssd:SignalDictionaryReference ssd:System",
         "ssd:Component": _ELEMENT,
         "ssd:Connectors": "ssd:Connector",
-        "ssd:Connector": " ".join(("ssd:ConnectorGeometry ssc:Dimension", *(f"ssc:{one}" for one in _TYPES))),
+        "ssd:Connector": " ".join(
+            ("ssd:ConnectorGeometry ssc:Dimension ssd:Clock", *(f"ssc:{one}" for one in _TYPES))
+        ),
         "ssd:ParameterBindings": "ssd:ParameterBinding",
         "ssd:ParameterBinding": "ssd:ParameterValues ssd:ParameterMapping",
         "ssd:ParameterValues": "ssv:ParameterSet",
@@ -52,17 +54,19 @@ _CHILDREN: Final = {
         "ssc:Unit": "ssc:BaseUnit",
         "ssv:ParameterSet": "ssv:Parameters ssv:Enumerations ssv:Units",
         "ssv:Parameters": "ssv:Parameter",
-        "ssv:Parameter": " ".join(("ssv:Dimension", *(f"ssv:{one}" for one in _TYPES))),
+        "ssv:Parameter": " ".join(("ssc:Dimension", *(f"ssv:{one}" for one in _TYPES))),
     }.items()
 }
 #: Elements that one element may contain more than once.
 _REPEATED: Final = frozenset(
     (
         *("ssd:Component", "ssd:Connection", "ssd:Connector", "ssd:ParameterBinding", "ssd:System"),
-        *("ssd:SignalDictionaryReference", "ssc:Dimension", "ssc:Unit", "ssv:Dimension", "ssv:Parameter"),
+        *("ssd:SignalDictionaryReference", "ssc:Dimension", "ssc:Unit", "ssv:Parameter"),
     )
 )
 _ANYWHERE: Final = ("Annotations", "MetaData", "Signature")
+#: What a parameter may contain besides its value.
+BESIDES: Final = (*_ANYWHERE, "Dimension")
 
 
 def tag(name: str) -> str:
@@ -88,6 +92,9 @@ def _require_children(path: Path, parent: Element, name: str) -> None:
     where = f"{name} {parent.get('name')!r}" if parent.get("name") else name
     allowed = {tag(one): one for one in _CHILDREN[name]}
     anywhere = {tag(f"{space}:{one}") for space in ("ssc", "ssd", "ssv") for one in _ANYWHERE}
+    for text in (parent.text, *(child.tail for child in parent)):
+        if text and not text.isspace():
+            raise InputFileError(path, f"{where}: has the text {text.strip()[:40]!r}, may have none")
     for child in parent:
         if child.tag not in allowed and child.tag not in anywhere:
             raise InputFileError(path, f"{where}: {_in_words(child)} does not belong there")

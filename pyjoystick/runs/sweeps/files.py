@@ -112,8 +112,8 @@ def _read_csv(path: Path) -> pd.DataFrame:
     if not header:
         return table
     document = json.loads("".join(header))
-    types = document.get("types", {})
-    table = table.astype({name: kind for name, kind in types.items() if name in table})
+    types, varied = document.get("types", {}), document["settings"]["vary"]
+    table = table.astype({name: kind for name, kind in types.items() if name in table and name in varied})
     table.attrs[ATTRIBUTE] = document
     return table
 

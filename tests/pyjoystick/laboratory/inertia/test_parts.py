@@ -148,7 +148,7 @@ def test_mistakes_in_a_file_are_named(tmp_path: Path, old: str, new: str, messag
     assert message in str(refused.value)
 
 
-@pytest.mark.parametrize("form", ["{}", "x{}", "{}x", "{} pcs", "\u00d7 {}", "{} St\u00fcck"])
+@pytest.mark.parametrize("form", ["{}", "x{}", "{}x", "{} pcs", "{} ea", "({})"])
 def test_a_number_of_pieces_is_not_ignored(form: str, tmp_path: Path) -> None:
     lines = FILE.splitlines()
     head = next(i for i, line in enumerate(lines) if line.startswith("part"))
@@ -157,6 +157,12 @@ def test_a_number_of_pieces_is_not_ignored(form: str, tmp_path: Path) -> None:
     file.write_text("\n".join([*lines[:head], f"{lines[head]};Qty", *counted]), encoding="utf-8")
     with pytest.raises(RecordError, match=r"column 'Qty': is not known; .* a part that is there twice"):
         read_parts(file)
+
+
+@pytest.mark.parametrize("name", ["4 x knob", "4x knob", "knob (4x)", "knob x4", "knob, 4 pcs"])
+def test_a_number_of_pieces_in_a_name_is_noted(name: str) -> None:
+    parts = [rod(name, 0.1, 0.05, 0.01), rod("screw M4x20", 0.25, 0.1, 0.02)]
+    assert from_parts(parts).notes == (f"{name} counts once: give each piece its own row",)
 
 
 def test_a_part_with_the_mass_of_all_others_is_noted() -> None:

@@ -48,7 +48,7 @@ def test_empty_lines_after_the_last_sample_are_no_samples(tmp_path: Path, count:
         _pieces(write(tmp_path / "b.csv", _text(within)))
 
 
-@pytest.mark.parametrize("heading", ["Sample", "Nr.", "Sequence", "timestamp (ms)", "i"])
+@pytest.mark.parametrize("heading", ["Sample", "Nr.", "Sequence", "timestamp", "i"])
 @pytest.mark.parametrize("size", [20, 100])
 def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, tmp_path: Path) -> None:
     """As a time that skips would be: an accelerometer's series has no gaps."""
@@ -60,13 +60,15 @@ def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, 
         list(range(12)),
         list(range(5, 29, 2)),
         [3] * 12,
-        [*range(250, 256), *range(6)],
+        [*range(244, 256), *range(6)],
+        [*range(65530, 65536), *range(1, 20)],
         [3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8],
     ):
         path = write(tmp_path / "even.csv", rows(even))
-        assert sum(len(piece.time) for piece in _pieces(path, size, rate=50.0)) == 12
-    for number in (50, 39):
-        path = write(tmp_path / "skips.csv", rows([*range(40), *range(number, number + 30)]))
+        assert sum(len(piece.time) for piece in _pieces(path, size, rate=50.0)) == len(even)
+    for number in (50, 39, 0):
+        text = rows([*range(40), *range(number, number + 30)])
+        path = write(tmp_path / "skips.csv", text.replace("\n7,", "\n,"))
         what = rf"row 43: the samples do not go on in even steps .*found {number}"
         with pytest.raises(RecordError, match=what):
             _pieces(path, size, rate=50.0)
@@ -101,6 +103,16 @@ def test_rounded_times_beside_a_rate(heading: str, rate: float, tmp_path: Path) 
         path = write(tmp_path / "b.csv", text(times + np.where(np.arange(300) >= 200, round(5e3 / rate), 0)))
         with pytest.raises(RecordError, match="row 203: the samples do not go on in even steps"):
             _pieces(path, 150, rate=rate)
+
+
+@pytest.mark.parametrize(
+    ("heading", "step"), [("Elapsed (ms)", 2), ("timestamp (s)", 0.002), ("t_x [ms]", 0.5)]
+)
+def test_times_of_another_rate_are_refused(heading: str, step: float, tmp_path: Path) -> None:
+    rows = [f"{step * i:.6g},{i % 4}.5" for i in range(100)]
+    path = write(tmp_path / "a.csv", _text(rows, f"{heading},signal (V)"))
+    with pytest.raises(RecordError, match=r"its times are those of (500|2000) Hz, the given rate is 1000 Hz"):
+        _pieces(path, 50, rate=1000.0)
 
 
 def test_a_column_without_a_heading_is_ignored(tmp_path: Path) -> None:

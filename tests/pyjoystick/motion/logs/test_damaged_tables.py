@@ -169,6 +169,14 @@ def test_decimal_commas_may_be_what_they_are(rows: list[str], tmp_path: Path) ->
     assert len(read_log(file, layout=Layout(decimal=".")).series["theta"]) == 3
 
 
+@pytest.mark.parametrize("word", ["26.11.2026", "run1.csv", "1.0.2"])
+def test_points_in_words_are_no_decimal_marks(word: str, tmp_path: Path) -> None:
+    rows = [f"{word},{10 * i},-17,{9101 - i}," for i in range(20)]
+    file = written(tmp_path / "log.csv", "\n".join(("Datum,Zeit (ms),Winkel (deg),Bemerkung", *rows, "")))
+    with pytest.raises(RecordError, match="row 2: has 5 cells under 4 headings"):
+        read_log(file)
+
+
 @pytest.mark.parametrize(
     "comment", ["# -2.34,-0.37,outlier", "# outlier: -2.34,-0.37", "#NaN,-0.37", "#,-0.37", "# pause"]
 )
@@ -178,6 +186,13 @@ def test_other_comments_between_samples_take_no_time(comment: str, tmp_path: Pat
     log = read_log(file, rate=250.0)
     assert len(log.series["time"]) == COUNT
     assert "comment lines between samples take no time: row 42" in log.notes
+
+
+def test_a_whole_number_among_others_does_not_hide_a_stump(tmp_path: Path) -> None:
+    rows = [f"{t:.3f},{a:.8g}" for t, a in zip(TIME, ANGLE, strict=True)]
+    rows[0] = "0.000,2"
+    log = read_log(written(tmp_path / "log.csv", "\n".join(("time (s),angle (deg)", *rows))[:-5]))
+    assert log.left_out.tolist() == [121]
 
 
 def test_a_file_that_ends_within_a_whole_number(tmp_path: Path) -> None:
@@ -200,12 +215,57 @@ def test_a_sample_that_is_far_off_is_refused(row: int, tmp_path: Path) -> None:
         read_log(file)
 
 
+@pytest.mark.parametrize(
+    ("rate", "held", "digit", "noise"),
+    [
+        *((1000.0, held, 0.0, 0.0) for held in (1, 5, 10, 20)),
+        *((2000.0, 1, digit, 0.1 * digit) for digit in (0.088, 0.352, 1.0)),
+        (20_000.0, 1, 0.088, 0.05),
+        (5000.0, 1, 0.0, 0.1),
+    ],
+)
+def test_slow_and_coarse_sensors_at_high_rates_are_not_wrong(
+    rate: float, held: int, digit: float, noise: float, tmp_path: Path
+) -> None:
+    """Held between their samples, in whole digits, or with noise."""
+    time = np.arange(round(1.2 * rate)) / rate
+    since = np.maximum(0.0, np.floor(np.arange(len(time)) / held) * held / rate - 0.2)
+    angle = 20.0 * np.exp(-3.0 * since) * np.cos(25.0 * since)
+    angle += noise * np.random.default_rng(3).standard_normal(len(time))
+    angle = np.round(angle / digit) * digit if digit else angle
+    log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle, digits=12)))
+    assert held > 5 or not [note for note in log.notes if "leaves the motion" in note]
+
+
+@pytest.mark.parametrize("other", [np.zeros(COUNT), ANGLE + 2.0, ANGLE / 2.0], ids=["0", "+ 2", "half"])
+def test_two_angles_in_turns_are_noted(other: np.ndarray, tmp_path: Path) -> None:
+    angle = np.where(np.arange(COUNT) % 2, ANGLE, other)
+    log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], 4.0 * TIME, angle)))
+    assert any("the angle goes to and fro" in note for note in log.notes)
+
+
+@pytest.mark.parametrize("count", range(1, 13))
+def test_samples_that_are_off_at_rest_are_noted(count: int, tmp_path: Path) -> None:
+    angle = np.where(np.arange(COUNT) < 30, ANGLE, ANGLE[30]) + 0.01 * np.sin(np.arange(COUNT) ** 2)
+    angle[70 : 70 + count] += 4.0
+    log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle)))
+    assert any("the angle leaves the motion by up to" in note for note in log.notes)
+
+
 @pytest.mark.parametrize("row", [5, 60, 118])
 def test_a_sample_that_is_a_little_off_is_noted(row: int, tmp_path: Path) -> None:
     angle = ANGLE.copy()
     angle[row - 2] += 4.0
     log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle)))
     assert any(f"leaves the motion by up to 4 degrees (row {row})" in note for note in log.notes)
+
+
+@pytest.mark.filterwarnings("error")
+def test_equal_times_are_refused_for_what_they_are(tmp_path: Path) -> None:
+    time = TIME.copy()
+    time[50:53] = time[50]
+    with pytest.raises(RecordError, match="time"):
+        read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, ANGLE)))
 
 
 def test_a_file_with_the_end_mark_of_dos(tmp_path: Path) -> None:

@@ -248,6 +248,11 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ),
         (
             "<ssd:DefaultExperiment",
+            ">ssd:DefaultExperiment",
+            "has the text '>ssd:DefaultExperiment .* may have no",
+        ),
+        (
+            "<ssd:DefaultExperiment",
             '<ssd:DefaultExperiment stopTime="1.3" /><ssd:DefaultExperiment',
             "has 2 of ssd:DefaultExperiment, may have one",
         ),
