@@ -26,7 +26,7 @@ from pyjoystick.motion import (
     read_table_file,
     time_heading,
 )
-from pyjoystick.support import UnknownInputError
+from pyjoystick.support import FloatArray, UnknownInputError
 
 _TIME: Final = replace(TIME, default_unit="s")
 #: Minimum distance of two different times (s); below it, the slope between them would overflow.
@@ -76,7 +76,7 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
 def _with_time_first(file: TableFile) -> TableFile:
     """The table with the unit of the first heading, which must be a time, understood as that of a log."""
     first, *others = file.head.headings
-    if not first.text and file.texts(first) == [str(i) for i in range(len(file.cells))]:
+    if not first.text and _counts_rows(file.numbers(first)):
         reason, advice = (
             "the first column counts the rows and has no name",
             "name it 'time (s)' if that is right",
@@ -87,6 +87,10 @@ def _with_time_first(file: TableFile) -> TableFile:
         reason, advice = "the first column must be the time", "name it 'time (s)'"
         raise RecordError(str(file.head.path), reason, advice, column=first.text)
     return replace(file, head=replace(file.head, headings=(time, *others)))
+
+
+def _counts_rows(numbers: FloatArray) -> bool:
+    return len(numbers) > 2 and float(numbers[0]).is_integer() and bool((np.diff(numbers) == 1.0).all())
 
 
 def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequence[str]) -> pd.DataFrame:

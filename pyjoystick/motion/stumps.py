@@ -15,6 +15,8 @@ _PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-
 _ENOUGH: Final = 8
 #: Part of the numbers that may be as short, as 61 among numbers with trailing zeros cut.
 _RARELY: Final = 0.02
+#: Number of numbers of which one may be as short.
+_MANY: Final = 20
 
 
 def is_cut_short(cells: Sequence[str]) -> bool:
@@ -27,9 +29,12 @@ def is_cut_short(cells: Sequence[str]) -> bool:
     numbers = [one for one in others if one is not None]
     if last is None or len(numbers) < _ENOUGH:
         return False
+    if last[0][-1:] in (".", ",") and not any(one[0].endswith((".", ",")) for one in numbers):
+        return True
+    allowed = max(_RARELY * len(numbers), float(len(numbers) >= _MANY))
     is_whole = not any(one["decimals"] or one["exponent"] for one in (*numbers, last))
     return any(
-        sum(len(one[part] or "") <= len(last[part] or "") for one in numbers) <= _RARELY * len(numbers)
+        sum(len(one[part] or "") <= len(last[part] or "") for one in numbers) <= allowed
         for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
     )
 

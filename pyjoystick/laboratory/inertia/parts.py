@@ -41,6 +41,7 @@ _COUNTS: Final = frozenset(
     (
         *("amount", "anzahl", "cantidad", "count", "menge", "nb", "pcs", "pieces", "pi\u00e8ces"),
         *("qt\u00e9", "qty", "quantit\u00e9", "quantity", "st\u00fcck"),
+        *("aantal", "anz", "number", "quantidade", "quantit\u00e0", "stkzahl", "st\u00fcckzahl"),
     )
 )
 _IN_NAME: Final = re.compile(

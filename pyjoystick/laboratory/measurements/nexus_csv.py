@@ -26,7 +26,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
-from pyjoystick.motion import DELIMITERS, RecordError
+from pyjoystick.motion import DELIMITERS, RecordError, is_cut_short
 from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _SECTION: Final = "trajectories"
@@ -71,6 +71,8 @@ def read_nexus_csv(path: Path, text: str, *, unit: str | None = None) -> Markers
             missing or out of order
     """
     section = _section(str(path), text)
+    if not text.endswith("\n"):
+        _require_whole_end(section)
     names, columns = _markers(section)
     units = section.cells(4)
     factors = [
@@ -151,6 +153,16 @@ def _markers(section: _Section) -> tuple[tuple[str, ...], tuple[int, ...]]:
 
 def _cell(cells: list[str], column: int) -> str:
     return cells[column] if column < len(cells) else ""
+
+
+def _require_whole_end(section: _Section) -> None:
+    lines = section.lines[_HEAD:]
+    last = [line.rpartition(section.delimiter)[2].strip() for line in lines]
+    is_whole = bool(lines) and lines[-1].count(section.delimiter) + 1 == len(section.cells(3))
+    if is_whole and is_cut_short(last):
+        reason = "the file seems to end within its last number: all others have more digits"
+        advice = "copy the file again; or end the line if the number is right"
+        raise RecordError(section.source, reason, advice, rows=section.rows[-1:], value=repr(last[-1]))
 
 
 def _rate(section: _Section) -> float:

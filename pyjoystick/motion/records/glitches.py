@@ -27,8 +27,8 @@ _MULTIPLE: Final = 5.0
 _AROUND: Final = 10
 _FEWEST: Final = 6
 _FEW: Final = 12
-#: Part of the samples at which only a mixture of two angles turns back.
-_SAW: Final = 0.2
+#: Number of successive samples at which no motion turns back.
+_TURNS: Final = 4
 
 
 def require_no_glitch(
@@ -77,12 +77,6 @@ def glitch_notes(
         return
     off = np.zeros(len(theta))
     off[1:-1] = np.abs(theta[1:-1] - _between(time, theta))
-    changes = np.diff(theta)
-    to_and_fro = int(np.sum((changes[:-1] * changes[1:] < 0.0) & (off[1:-1] > _APART)))
-    if to_and_fro > _SAW * len(theta):
-        where = f"at {to_and_fro} of {len(theta)} samples"
-        yield f"the angle goes to and fro {where}: too few for the motion, or two angles in one column?"
-        return
     apart = [i for i in np.flatnonzero(off > _APART).tolist() if _is_apart(off, i)]
     if not apart:
         return
@@ -92,6 +86,20 @@ def glitch_notes(
         yield f"the angle moves in steps of up to {most} ({where}): is its sensor slower than the record?"
     else:
         yield f"the angle leaves the motion by up to {most} ({where}): {question}"
+
+
+def mixture_notes(theta: FloatArray) -> Iterator[str]:
+    """Note that the angle (rad) turns back at sample after sample, as two channels in turns do."""
+    if len(theta) < _AROUND:
+        return
+    changes = np.diff(theta)
+    off = np.abs(np.diff(changes)) / 2.0
+    turns = (changes[:-1] * changes[1:] < 0.0) & (off > _APART)
+    ends = np.flatnonzero(np.diff(np.concatenate(([False], turns, [False])).astype(np.int8)))
+    lengths = ends[1::2] - ends[::2]
+    count = int(lengths[lengths >= _TURNS].sum())
+    if count:
+        yield f"the angle turns back at {count} samples in succession: two angles in turns in one column?"
 
 
 def _is_apart(off: FloatArray, i: int) -> bool:

@@ -15,6 +15,7 @@ from pyjoystick.motion.columns import TIME, Column
 from pyjoystick.motion.logs.log_table import read_log_table
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
+from pyjoystick.motion.records.glitches import mixture_notes
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.motion.units import UNITS
@@ -71,7 +72,11 @@ def read_record(
         theta=series["theta"],
         omega=series.get("omega"),
         source=str(path),
-        notes=_small_degrees(series["theta"]) if in_degrees else (),
+        notes=(
+            *table.file.notes,
+            *(_small_degrees(series["theta"]) if in_degrees else ()),
+            *mixture_notes(series["theta"]),
+        ),
         rows=table.file.rows,
     )
     if not free_oscillation:

@@ -166,6 +166,8 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
 def value_of(path: Path, parameter: Element) -> Value:
     """Value of a parameter in the archive `path`; raises InputFileError if it is not supported."""
     values = [one for one in parameter if one.tag.rpartition("}")[2] not in BESIDES]
+    if parameter.find("ssc:Dimension", NAMESPACES) is not None:
+        raise InputFileError(path, f"parameter {parameter.get('name')!r}: an array is not supported")
     if len(values) > 1:
         raise InputFileError(path, f"parameter {parameter.get('name')!r}: has {len(values)} values")
     typed = next(iter(values), Element("}no type"))

@@ -56,7 +56,7 @@ _CHILDREN: Final = {
         "ssv:Parameters": "ssv:Parameter",
         "ssv:Parameter": " ".join(("ssc:Dimension", *(f"ssv:{one}" for one in _TYPES))),
     }.items()
-}
+} | {f"ssv:{one}": frozenset[str]() for one in _TYPES}
 #: Elements that one element may contain more than once.
 _REPEATED: Final = frozenset(
     (
@@ -66,7 +66,7 @@ _REPEATED: Final = frozenset(
 )
 _ANYWHERE: Final = ("Annotations", "MetaData", "Signature")
 #: What a parameter may contain besides its value.
-BESIDES: Final = (*_ANYWHERE, "Dimension")
+BESIDES: Final = _ANYWHERE
 
 
 def tag(name: str) -> str:

@@ -41,7 +41,7 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
     for heading in ("time_ms", "time in ms", "t/ms", "Zeit [ms]"):
         assert read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)["T"].to_dict() == {1e-3: 2.0}
     with pytest.raises(RecordError, match="the first column counts the rows and has no name"):
-        read_inputs(_file(tmp_path, ",T\n0,2\n1,3\n2,1\n"), joystick)
+        read_inputs(_file(tmp_path, ",T\n1.0,2\n2.0,3\n3.0,1\n"), joystick)
     for heading in ("x", "Sample", "ms", "omega", "theta (deg)"):
         with pytest.raises(RecordError, match=re.escape(f"'{heading}': the first column must be the time")):
             read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)

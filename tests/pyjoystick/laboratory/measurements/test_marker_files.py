@@ -92,6 +92,7 @@ PLAIN = plain_text(np.arange(20) / 60.0, np.full((20, 3, 3), 1.5))
         (_changed(NEXUS, 15, "5,0", "inf,0"), r"column 'Frame', row 15: the frame does not .*found inf"),
         (_changed(NEXUS, 11, "1,0", "-inf,0"), r"column 'Frame', row 11: the frame does not .*found -inf"),
         (_changed(NEXUS, 7, "60", "fast"), r"row 7: has no rate \(found 'fast'\)"),
+        (NEXUS[:-3], "the file seems to end within its last number"),
         (_changed(NEXUS, 7, "60", "119,88"), r"row 7: has no rate \(found '119,88'\)"),
         (_changed(NEXUS, 7, "60", "1e-320"), r"row 7: has no rate \(found '1e-320'\).* from 1 to 1e\+07"),
         (_changed(NEXUS, 9, "Frame,Sub Frame,X", "Frame,Sub Frame,A"), "has no marker 'TOP'"),

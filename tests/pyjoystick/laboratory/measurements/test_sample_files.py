@@ -62,6 +62,8 @@ def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, 
         [3] * 12,
         [*range(244, 256), *range(6)],
         [*range(65530, 65536), *range(1, 20)],
+        [*range(960, 1000), *range(30)],
+        [*range(65000, 65536, 8), *range(0, 400, 8)],
         [3, 1, 4, 1, 5, 9, 2, 6, 5, 3, 5, 8],
     ):
         path = write(tmp_path / "even.csv", rows(even))

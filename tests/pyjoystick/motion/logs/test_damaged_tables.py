@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pyjoystick.motion import Layout, RecordError, read_log, read_table_file
+from pyjoystick.motion import Layout, RecordError, read_log, read_record, read_table_file
 from tests.pyjoystick.motion.logs.made import ANGLE, COUNT, TIME, TORQUE, text, written
 
 DEG = np.radians(1.0)
@@ -241,7 +241,9 @@ def test_slow_and_coarse_sensors_at_high_rates_are_not_wrong(
 def test_two_angles_in_turns_are_noted(other: np.ndarray, tmp_path: Path) -> None:
     angle = np.where(np.arange(COUNT) % 2, ANGLE, other)
     log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], 4.0 * TIME, angle)))
-    assert any("the angle goes to and fro" in note for note in log.notes)
+    assert any("two angles in turns in one column" in note for note in log.notes)
+    record = read_record(tmp_path / "log.csv", free_oscillation=False)
+    assert any("two angles in turns in one column" in note for note in record.notes)
 
 
 @pytest.mark.parametrize("count", range(1, 13))

@@ -247,6 +247,11 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
             "ssd:System '.*': an element ssd:DefaultExperiment does not belong there",
         ),
         (
+            '<ssv:Parameter name="J">',
+            '<ssv:Parameter name="J"><ssc:Dimension size="3" />',
+            "parameter 'J': an array is not supported",
+        ),
+        (
             "<ssd:DefaultExperiment",
             ">ssd:DefaultExperiment",
             "has the text '>ssd:DefaultExperiment .* may have no",
