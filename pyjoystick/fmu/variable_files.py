@@ -79,7 +79,7 @@ def _with_time_first(file: TableFile) -> TableFile:
     if not first.text and _counts_rows(file.numbers(first)):
         reason, advice = (
             "the first column counts the rows and has no name",
-            "name it 'time (s)' if that is right",
+            "name it 'time (s)' if these are seconds",
         )
         raise RecordError(str(file.head.path), reason, advice, rows=[file.head.line])
     time = time_heading(first.text) if first.text else Heading("", "time", "")

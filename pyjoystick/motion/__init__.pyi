@@ -52,7 +52,7 @@ from .release_peaks import (
     sweep_peak_errors as sweep_peak_errors,
 )
 from .report import Case as Case, free_oscillation_report as free_oscillation_report, peak_table as peak_table
-from .stumps import is_cut_short as is_cut_short
+from .stumps import cut_short as cut_short, is_cut_short as is_cut_short
 from .table_files import (
     DELIMITERS as DELIMITERS,
     LARGEST as LARGEST,

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Final
 
-from pyjoystick.motion.columns import Heading
 from pyjoystick.motion.records.errors import RecordError
 
 _PARTS: Final = re.compile(r"[+-]?(?P<whole>\d*)([.,](?P<decimals>\d*))?([eE][+-]?(?P<exponent>\d*))?")
@@ -39,8 +37,8 @@ def is_cut_short(cells: Sequence[str]) -> bool:
     )
 
 
-def cut_short(path: Path, heading: Heading, rows: list[int], cell: str) -> RecordError:
+def cut_short(source: str, column: str, rows: Sequence[int], cell: str) -> RecordError:
     """Make the error for a file that ends within a number."""
     reason = "the file seems to end within its last number: all others have more digits"
     advice = "copy the file again; or end the line if the number is right"
-    return RecordError(str(path), reason, advice, column=heading.text, rows=rows, value=repr(cell))
+    return RecordError(source, reason, advice, column=column, rows=rows, value=repr(cell))

@@ -150,7 +150,7 @@ class TableFile:
         bad = np.flatnonzero(~np.isfinite(numbers))
         if bad.size:
             if self.stump and bad[0] == len(numbers) - 1:
-                raise cut_short(self.head.path, heading, self.rows[-1:].tolist(), self.stump)
+                raise cut_short(str(self.head.path), heading.text, self.rows[-1:].tolist(), self.stump)
             raise RecordError(
                 str(self.head.path),
                 "samples without a finite number",
@@ -176,7 +176,7 @@ def require_whole_end(head: TableHead) -> None:
     lines = [line for line in end.splitlines()[1:] if not is_blank(line)]
     cells = [cells_of_line(head.path, 0, line, head.delimiter)[-1] for line in lines]
     if cells and is_cut_short(cells):
-        raise cut_short(head.path, head.headings[-1], [], cells[-1])
+        raise cut_short(str(head.path), head.headings[-1].text, [], cells[-1])
 
 
 def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:

@@ -26,7 +26,7 @@ import numpy as np
 import pandas as pd
 
 from pyjoystick.laboratory.measurements.markers import Markers, length_factor
-from pyjoystick.motion import DELIMITERS, RecordError, is_cut_short
+from pyjoystick.motion import DELIMITERS, RecordError, cut_short, is_cut_short
 from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _SECTION: Final = "trajectories"
@@ -160,9 +160,7 @@ def _require_whole_end(section: _Section) -> None:
     last = [line.rpartition(section.delimiter)[2].strip() for line in lines]
     is_whole = bool(lines) and lines[-1].count(section.delimiter) + 1 == len(section.cells(3))
     if is_whole and is_cut_short(last):
-        reason = "the file seems to end within its last number: all others have more digits"
-        advice = "copy the file again; or end the line if the number is right"
-        raise RecordError(section.source, reason, advice, rows=section.rows[-1:], value=repr(last[-1]))
+        raise cut_short(section.source, "", section.rows[-1:], last[-1])
 
 
 def _rate(section: _Section) -> float:

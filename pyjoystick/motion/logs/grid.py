@@ -76,7 +76,7 @@ class Candidate:
         if self.stump:
             yield f"the file seems to end within the number {self.stump}, which is left out"
         if self.surplus:
-            yield "every row ends with an empty cell beyond the headings: do these stand above their columns?"
+            yield "every row ends with an empty cell beyond the headings: are these above the right columns?"
 
     def table(self, path: Path, comments: tuple[str, ...]) -> TableFile:
         """The table, with times of day and durations in s.
@@ -116,11 +116,11 @@ class Candidate:
             comments,
             tuple(zip(*columns, strict=True)),
             rows,
-            self.empty,
-            self.decimal,
-            self.stump,
-            self.remarks,
-            tuple(self._notes()),
+            empty=self.empty,
+            decimal=self.decimal,
+            stump=self.stump,
+            remarks=self.remarks,
+            notes=tuple(self._notes()),
         )
 
 

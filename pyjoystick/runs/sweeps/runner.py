@@ -159,15 +159,13 @@ def _finished(sweep: Sweep, parts: Parts) -> pd.DataFrame | None:
 
 
 def _require_whole(sweep: Sweep, path: Path, table: pd.DataFrame) -> None:
-    """Raise SweepFileError if the rows of a file do not match its settings."""
+    """Raise SweepFileError if the results do not match the settings; `read_sweep` has checked the runs."""
     columns = [*sweep.design, *sweep.columns, "failed", "message"]
     kinds = dict.fromkeys(sweep.columns, "fiub") | {"failed": "b"}
     if (
         list(table) != columns
-        or not table.index.equals(sweep.design.index)
         or any(table[name].dtype.kind not in kind for name, kind in kinds.items())
         or np.isinf(table[list(sweep.columns)].to_numpy(dtype=np.float64)).any()
-        or not table[list(sweep.design)].eq(sweep.design).all(axis=None)
     ):
         reason = "its rows are not those of its settings: was the file changed? --overwrite makes it anew"
         raise SweepFileError(path, reason)

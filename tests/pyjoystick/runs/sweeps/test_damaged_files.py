@@ -67,11 +67,7 @@ def test_what_does_not_say_whose_runs_these_are(text: str, tmp_path: Path) -> No
 def test_a_file_whose_rows_were_changed_is_not_taken_for_finished(
     spoil: Callable[[pd.DataFrame], pd.DataFrame], suffix: str, small_sweep: Sweep, tmp_path: Path
 ) -> None:
-    target = tmp_path / f"a{suffix}"
-    run_sweep(small_sweep, target)
-    spoiled = spoil(read_sweep(target))
-    spoiled.attrs = read_sweep(target).attrs
-    write_sweep(target, spoiled)
+    target = _spoiled(spoil, small_sweep, tmp_path / f"a{suffix}")
     with pytest.raises(SweepFileError, match=r"its (rows|runs) are not those of its settings"):
         run_sweep(small_sweep, target)
 
@@ -91,13 +87,19 @@ def test_a_file_whose_rows_were_changed_is_not_taken_for_finished(
 def test_a_file_with_other_runs_is_not_read(
     spoil: Callable[[pd.DataFrame], pd.DataFrame], suffix: str, small_sweep: Sweep, tmp_path: Path
 ) -> None:
-    target = tmp_path / f"a{suffix}"
-    run_sweep(small_sweep, target)
-    spoiled = spoil(read_sweep(target))
-    spoiled.attrs = read_sweep(target).attrs
-    write_sweep(target, spoiled)
+    target = _spoiled(spoil, small_sweep, tmp_path / f"a{suffix}")
     with pytest.raises(SweepFileError, match="its runs are not those of its settings"):
         read_sweep(target)
+
+
+def _spoiled(spoil: Callable[[pd.DataFrame], pd.DataFrame], sweep: Sweep, target: Path) -> Path:
+    """The file of a finished sweep, with changed rows under the same settings."""
+    run_sweep(sweep, target)
+    whole = read_sweep(target)
+    changed = spoil(whole)
+    changed.attrs = whole.attrs
+    write_sweep(target, changed)
+    return target
 
 
 @pytest.mark.parametrize("suffix", [".csv", ".parquet"])
