@@ -89,7 +89,7 @@ def glitch_notes(
 
 
 def mixture_notes(theta: FloatArray) -> Iterator[str]:
-    """Note that the angle (rad) turns back at sample after sample, as two channels in turns do."""
+    """Note that the angle (rad) turns back at sample after sample, as where two channels alternate."""
     if len(theta) < _AROUND:
         return
     changes = np.diff(theta)
@@ -99,7 +99,7 @@ def mixture_notes(theta: FloatArray) -> Iterator[str]:
     lengths = ends[1::2] - ends[::2]
     count = int(lengths[lengths >= _TURNS].sum())
     if count:
-        yield f"the angle turns back at {count} samples in succession: two angles in turns in one column?"
+        yield f"the angle turns back at {count} samples in succession: do two angles alternate in one column?"
 
 
 def _is_apart(off: FloatArray, i: int) -> bool:

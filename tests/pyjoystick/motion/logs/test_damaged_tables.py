@@ -238,12 +238,12 @@ def test_slow_and_coarse_sensors_at_high_rates_are_not_wrong(
 
 
 @pytest.mark.parametrize("other", [np.zeros(COUNT), ANGLE + 2.0, ANGLE / 2.0], ids=["0", "+ 2", "half"])
-def test_two_angles_in_turns_are_noted(other: np.ndarray, tmp_path: Path) -> None:
+def test_two_angles_that_alternate_are_noted(other: np.ndarray, tmp_path: Path) -> None:
     angle = np.where(np.arange(COUNT) % 2, ANGLE, other)
     log = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], 4.0 * TIME, angle)))
-    assert any("two angles in turns in one column" in note for note in log.notes)
+    assert any("do two angles alternate in one column" in note for note in log.notes)
     record = read_record(tmp_path / "log.csv", free_oscillation=False)
-    assert any("two angles in turns in one column" in note for note in record.notes)
+    assert any("do two angles alternate in one column" in note for note in record.notes)
 
 
 @pytest.mark.parametrize("count", range(1, 13))
