@@ -17,8 +17,9 @@ from fmpy import read_model_description
 from pyjoystick.fmu.description import DefaultExperiment, FmuDescription, Variable
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
 from pyjoystick.fmu.limits import MOST_VARIABLES, require_at_most, require_modest
+from pyjoystick.fmu.values import NUMBERS
 from pyjoystick.motion import DisplayUnit
-from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem
+from pyjoystick.support import ARCHIVE_ERRORS, PyJoystickError, archive_problem, is_number_text
 
 #: Value references are unsigned 32-bit integers in both FMI versions.
 _LARGEST_REFERENCE: Final = 0xFFFF_FFFF
@@ -147,6 +148,9 @@ def _description(path: Path, files: list[str], model: Any, declared: _Declared) 
             allowed = f"must be a whole number from 0 to {_LARGEST_REFERENCE}"
             given = f"valueReference = {variable.valueReference}"
             raise FmuFileError(path, f"variable {variable.name!r}: {given}: {allowed}")
+        if variable.type in NUMBERS and not all(map(is_number_text, (variable.start or "").split())):
+            reason = f"variable {variable.name!r}: start = {variable.start!r}: must be a number"
+            raise FmuFileError(path, reason)
     interfaces = {
         name: str(interface.modelIdentifier)
         for name, interface in (("CoSimulation", model.coSimulation), ("ModelExchange", model.modelExchange))

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from ctypes import c_void_p
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,13 @@ class Instance:
 
     def initialize(self, time: float, tolerance: float, values: Mapping[str, Value]) -> None:
         """Initialize at the first communication point, `time` (s), from any state, with values by name."""
+        self.begin_initialization(time, tolerance, values)
+        self.fmi.exitInitializationMode()
+
+    def begin_initialization(
+        self, time: float, tolerance: float, values: Mapping[str, Value] = MappingProxyType({})
+    ) -> None:
+        """Enter the initialization mode; arguments as for `initialize`."""
         if not self.is_new:
             self.fmi.reset()
         self.is_new = False
@@ -102,7 +110,6 @@ class Instance:
         for name, value in values.items():
             self.set([self.description.variables[name]], [value])
         self.fmi.enterInitializationMode(**({} if self._is_fmi2 else settings))
-        self.fmi.exitInitializationMode()
 
     def set(self, variables: Sequence[Variable], values: Sequence[Value]) -> None:
         """Set variables, with one call per type.

@@ -16,6 +16,7 @@ from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from numpy.typing import NDArray
 
+from pyjoystick.fmu.declared_starts import contradiction
 from pyjoystick.fmu.description import FmuDescription, Interface, Variable
 from pyjoystick.fmu.drive import IntermediateUpdate, inputs_asked_for
 from pyjoystick.fmu.errors import FmuFileError, UnsupportedFmuError
@@ -72,7 +73,8 @@ class FmuLibrary:
 
         Raises:
             UnsupportedFmuError: as `require_runnable`
-            FmuFileError: the archive or the binary is broken
+            FmuFileError: the archive or the binary is broken, or the start values of an FMU of this project
+                were edited in its modelDescription.xml alone
         """
         require_runnable(description, interface)
         self.description = description
@@ -80,7 +82,19 @@ class FmuLibrary:
             self.folder = stack.enter_context(unpacked(description)) if folder is None else folder
             self.fmi: Any = _load(description, interface, self.folder)
             stack.callback(self.fmi.freeLibrary)
+            if description.is_ours:
+                self._require_declared_starts()
             self._stack = stack.pop_all()
+
+    def _require_declared_starts(self) -> None:
+        instance = self.instantiate()
+        try:
+            wrong = contradiction(instance)
+        finally:
+            instance.free()
+        if wrong:
+            advice = "set parameters when you run it, or export it with other values"
+            raise FmuFileError(self.description.path, f"{wrong}: {advice}")
 
     def instantiate(self, place: NDArray[np.intp] | None = None, *, asks: bool = False) -> Instance:
         """Make an instance; free it before `close`.

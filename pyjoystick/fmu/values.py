@@ -25,6 +25,8 @@ INTEGERS: Final = (
     "Enumeration",
     *(f"{sign}Int{bits}" for bits in (8, 16, 32, 64) for sign in ("", "U")),
 )
+#: Types of numbers.
+NUMBERS: Final = ("Real", "Float64", "Float32", *INTEGERS)
 _NOT_RUN: Final = ("Binary", "Clock")
 #: Floats represent all integers up to this.
 EXACT: Final = 2**53

@@ -42,19 +42,25 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
     out.
 
     Raises:
-        RecordError: the file is not a table, its first column is no time, a unit is unknown, a cell is not a
-            finite number, the time runs backward, or two different times are less than 1e-12 s apart
+        RecordError: the file is not a table, its first column is no time, two columns are the same input, a
+            unit is unknown, a cell is not a finite number, the time runs backward, more than two rows have
+            one time, or two different times are less than 1e-12 s apart
         UnknownInputError: a column does not have the name of an input
     """
     file = _with_time_first(read_table_file(Path(path)))
     first, *others = file.head.headings
     others = [one for one in others if one.text or any(file.texts(one))]
     known = fmu.names("input")
-    # The name of an array element, u[1], looks like a name with a unit.
-    texts = {heading.text if heading.text in known else heading.name: heading.text for heading in others}
-    for name in texts:
+    texts: dict[str, str] = {}
+    for heading in others:
+        # The name of an array element, u[1], looks like a name with a unit.
+        name = heading.text if heading.text in known else heading.name
         if name not in known:
             raise UnknownInputError(name, known)
+        if name in texts:
+            reason = f"has two columns for the input {name}: {texts[name]!r} and {heading.text!r}"
+            raise RecordError(str(path), reason, "delete one of them", rows=[file.head.line])
+        texts[name] = heading.text
     columns = [_column(fmu.variables[name]) for name in texts]
     found = file.head.match([_TIME, *columns], headings={"time": first.text} | texts)
     table = _table(file, found, fmu)
@@ -70,6 +76,10 @@ def read_inputs(path: str | PathLike[str], fmu: FmuDescription) -> pd.DataFrame:
             "write a jump as two rows of one time",
         )
         raise RecordError(str(path), reason, advice, column=first.text, rows=file.rows[close + 1])
+    thrice = np.flatnonzero((steps[:-1] == 0.0) & (steps[1:] == 0.0))
+    if thrice.size:
+        reason, advice = "more than two rows have one time", "write a jump as two rows of one time"
+        raise RecordError(str(path), reason, advice, column=first.text, rows=file.rows[thrice + 2])
     return table
 
 

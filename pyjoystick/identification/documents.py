@@ -226,15 +226,19 @@ def _value(content: Mapping[str, Any]) -> FittedValue:
     profile = content.get("profile")
     interval = _numbers(profile["interval"] if profile and profile["followed"] else content["interval"])
     error = content["standard_error"]
-    return FittedValue(
+    found = FittedValue(
         name=content["name"],
         record=content["record"] or "",
         unit=content["unit"],
-        value=float(content["value"]),
-        error=math.inf if error is None else float(error),
+        value=float(_numbers(content["value"])),
+        error=math.inf if error is None else float(_numbers(error)),
         interval=(float(interval[0]), float(interval[1])),
         is_determined=bool(content["determined"]) and error is not None,
     )
+    least, most = found.interval
+    if not found.error >= 0.0 or found.value < least or found.value > most:
+        raise ValueError(f"value, standard error and interval of {found.name} contradict one another")
+    return found
 
 
 def _series(content: Mapping[str, Any]) -> list[FittedSeries]:
@@ -277,4 +281,6 @@ def _budget(content: Mapping[str, Any], source: str) -> BudgetDocument:
 
 def _numbers(content: Any) -> Any:
     """Convert to numbers, with NaN for null."""
+    if isinstance(content, bool):
+        raise TypeError(f"{str(content).lower()} is not a number")
     return np.array(content, dtype=np.float64)

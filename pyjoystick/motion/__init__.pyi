@@ -31,7 +31,11 @@ from .records.free_oscillation import (
     check_free_oscillation as check_free_oscillation,
     require_no_growth as require_no_growth,
 )
-from .records.glitches import glitch_notes as glitch_notes, require_no_glitch as require_no_glitch
+from .records.glitches import (
+    glitch_notes as glitch_notes,
+    lone_notes as lone_notes,
+    require_no_glitch as require_no_glitch,
+)
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
     GAP as GAP,
@@ -58,6 +62,7 @@ from .table_files import (
     LARGEST as LARGEST,
     TableFile as TableFile,
     cells_of_line as cells_of_line,
+    misfit as misfit,
     no_number as no_number,
     open_text as open_text,
     read_table_file as read_table_file,

@@ -1,4 +1,4 @@
-"""Files that end within a number, as after a broken transfer or a loss of power."""
+"""Files that end within a number or hold bytes of zero, as after a broken transfer or a loss of power."""
 
 from __future__ import annotations
 
@@ -35,6 +35,14 @@ def is_cut_short(cells: Sequence[str]) -> bool:
         sum(len(one[part] or "") <= len(last[part] or "") for one in numbers) <= allowed
         for part in ("decimals", "exponent", *(["whole"] if is_whole else []))
     )
+
+
+def require_no_zeros(source: str, text: str) -> None:
+    """Reject a text with bytes of zero, which hide what stood in their place."""
+    if "\0" in text:
+        row = text.partition("\0")[0].count("\n") + 1
+        reason = "holds bytes of zero, as after a loss of power while the file was written"
+        raise RecordError(source, reason, "export it again, or end it before this row", rows=[row])
 
 
 def cut_short(source: str, column: str, rows: Sequence[int], cell: str) -> RecordError:

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Column, Heading, TableHead
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.stumps import cut_short, is_cut_short
+from pyjoystick.motion.stumps import cut_short, is_cut_short, require_no_zeros
 from pyjoystick.support import FloatArray, is_number_text, number_of_text
 
 _LOG = logging.getLogger(__name__)
@@ -190,6 +190,13 @@ def no_number(path: Path, heading: Heading, row: int, cell: str) -> RecordError:
     return RecordError(str(path), reason, advice, column=heading.text, rows=[row], value=repr(cell))
 
 
+def misfit(path: Path, row: int, cells: int, headings: int) -> RecordError:
+    """Make the error for a row that is longer or shorter than the headings."""
+    reason = f"has {cells} cell{'s' * (cells != 1)} under {headings} heading{'s' * (headings != 1)}"
+    advice = "was the file cut off, or are the decimal marks commas?"
+    return RecordError(str(path), reason, advice, rows=[row])
+
+
 def read_table_file(path: Path) -> TableFile:
     """Read a table of columns separated by commas, semicolons or tabs, with headings first.
 
@@ -201,7 +208,12 @@ def read_table_file(path: Path) -> TableFile:
             longer or shorter than the headings
     """
     with open_text(path) as file:
-        text = file.read()
+        return table_of_text(path, file.read())
+
+
+def table_of_text(path: Path, text: str) -> TableFile:
+    """Read a table from the text of a file; see `read_table_file`."""
+    require_no_zeros(str(path), text)
     lines = list(_numbered(text.split("\n")))
     filled = _filled(lines)
     head, rows = _head(path, filled), list(filled)
@@ -212,9 +224,7 @@ def read_table_file(path: Path) -> TableFile:
     cells = tuple(cells_of_line(path, number, line, head.delimiter) for number, line in rows)
     for (number, _), row in zip(rows, cells, strict=True):
         if len(row) != len(head.headings):
-            reason = f"has {len(row)} cells under {len(head.headings)} headings"
-            advice = "was the file cut off, or are the decimal marks commas?"
-            raise RecordError(str(path), reason, advice, rows=[number])
+            raise misfit(path, number, len(row), len(head.headings))
     require_whole_end(head)
     headings = [one.text for one in head.headings]
     _LOG.info("read %s: %d rows of %s", path, len(rows), ", ".join(headings))

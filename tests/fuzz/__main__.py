@@ -1,5 +1,6 @@
-"""``make fuzz SECONDS=60``: a third of the time each for random FMI calls, damaged files and random models.
+"""``make fuzz SECONDS=60``: random FMI calls, damaged files, damaged tables of known contents, random models.
 
+Each has the same part of the time.
 The FMI calls of a seed are the same each time from an empty folder only: what was found stays in the corpus.
 """
 
@@ -10,12 +11,17 @@ import os
 import random
 import sys
 from pathlib import Path
+from typing import Final
 
 from tests.fuzz import fmi_calls
-from tests.fuzz.models import campaign as models
+from tests.fuzz.models.trial import trial as try_model
 from tests.fuzz.outcome import Outcome
 from tests.fuzz.readers import campaign as readers
 from tests.fuzz.readers.trial import trial
+from tests.fuzz.tables.trial import trial as try_table
+from tests.fuzz.verdicts import try_all
+
+_TARGETS: Final = ("calls", "readers", "tables", "models")
 
 
 def main() -> int:
@@ -28,11 +34,10 @@ def main() -> int:
     each = "so many {} instead of for a time: with a seed, the same each time"
     parser.add_argument("--calls", type=int, help=each.format("inputs of each model with random calls"))
     parser.add_argument("--files", type=int, help=each.format("damaged files"))
+    parser.add_argument("--tables", type=int, help=each.format("damaged tables of known contents"))
     parser.add_argument("--models", type=int, help=each.format("random Modelica models"))
     parser.add_argument("--folder", type=Path, default=Path("build/fuzz"), help="for programs and corpora")
-    parser.add_argument(
-        "--only", choices=("calls", "readers", "models"), help="one of them, for all of the time"
-    )
+    parser.add_argument("--only", choices=_TARGETS, help="one of them, for all of the time")
     parser.add_argument("--case", type=int, help="repeat this one damaged file alone")
     settings = parser.parse_args()
     folder = settings.folder.absolute()
@@ -42,7 +47,7 @@ def main() -> int:
         print(fault or "no fault")
         return int(fault is not None)
     print(f"seed {settings.seed}", flush=True)
-    chosen = [settings.only] if settings.only else ["calls", "readers", "models"]
+    chosen = [settings.only] if settings.only else _TARGETS
     seconds = settings.seconds / len(chosen)
     processes = os.cpu_count() or 1
     outcomes: list[Outcome] = []
@@ -53,8 +58,12 @@ def main() -> int:
             print(f"random FMI calls: skipped, {error}", flush=True)
     if "readers" in chosen:
         outcomes += readers.fuzz_all(folder, seconds, settings.files, settings.seed, processes)
-    if "models" in chosen:
-        outcomes += models.fuzz_all(seconds, settings.models, settings.seed, processes)
+    for target, one, count in (
+        ("tables", try_table, settings.tables),
+        ("models", try_model, settings.models),
+    ):
+        if target in chosen:
+            outcomes += try_all(target, one, seconds, count, settings.seed, processes)
     return _told(outcomes)
 
 

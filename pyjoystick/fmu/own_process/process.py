@@ -22,7 +22,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, PLACE_SIZE, POINT, RUN
+from pyjoystick.fmu.stepping.program import BETWEEN_RUNS, PLACE_SIZE, POINT, RUN, SAMPLES
 from pyjoystick.support import PyJoystickError
 
 _LOG = logging.getLogger(__name__)
@@ -44,12 +44,13 @@ class ProcessEndedError(PyJoystickError):
     Attributes:
         run: index of the run in progress
         point: communication point that it had reached, negative if none
+        samples: number of samples that it had taken
         is_late: whether the reason was the time limit
     """
 
     def __init__(self, reason: str, place: NDArray[np.intp], *, is_late: bool) -> None:
         super().__init__(reason)
-        self.run, self.point, self.is_late = int(place[RUN]), int(place[POINT]), is_late
+        self.run, self.point, self.samples, self.is_late = *map(int, place[[RUN, POINT, SAMPLES]]), is_late
 
 
 class OwnProcess:
@@ -110,7 +111,9 @@ class OwnProcess:
             ProcessEndedError: it crashed, took too long, or was killed because the answer is no longer wanted
             Exception: any exception that the method raises
         """
-        self._place[RUN], self._place[POINT] = 0, BETWEEN_RUNS
+        self._place[[RUN, SAMPLES]], self._place[POINT] = 0, BETWEEN_RUNS
+        if self.runs:
+            self._printed = b""  # by earlier runs
         try:
             self._send((name, arguments))
             answer = self._wait(time_limit, is_stopped)

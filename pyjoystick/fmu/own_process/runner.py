@@ -158,4 +158,6 @@ class RemoteRunner:
 
     def _error(self, ended: ProcessEndedError) -> FmuRunError:
         times = self._job.preparation.program.times
-        return run_error(ended, float(times[max(0, ended.point)]), self._pool.description.path)
+        # Without a point, it had not begun, or it was freeing the instance of a finished run.
+        point = -1 if ended.point < 0 and ended.samples else max(0, ended.point)
+        return run_error(ended, float(times[point]), self._pool.description.path)

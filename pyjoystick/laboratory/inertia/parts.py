@@ -16,7 +16,7 @@ import numpy as np
 
 from pyjoystick.laboratory.inertia.budget import Estimate, Measured, combined
 from pyjoystick.motion import UNITS, Column, Heading, RecordError, TableFile, read_table_file
-from pyjoystick.support import ParameterError, finite, not_negative, positive
+from pyjoystick.support import ParameterError, finite, is_number_text, not_negative, positive
 
 _KINDS: Final = {
     "mass": UNITS["mass"],
@@ -189,10 +189,11 @@ def _counts_pieces(heading: Heading, cells: Sequence[str]) -> bool:
 
 
 def _has_numbers(file: TableFile, heading: Heading) -> bool:
+    """Whether all cells are numbers, or some under a heading with a unit; a material has neither."""
     try:
         return bool(np.isfinite(file.numbers(heading)).any())
     except RecordError:
-        return False  # text, such as a material
+        return bool(heading.unit) and any(map(is_number_text, file.texts(heading)))
 
 
 def read_parts(path: str | PathLike[str]) -> tuple[Part, ...]:

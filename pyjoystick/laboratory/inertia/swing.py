@@ -20,6 +20,9 @@ from pyjoystick.support import FloatArray, ParameterError, angle, not_negative, 
 REACTION_TIME: Final = 0.05
 #: Largest ratio of two readings of the same pendulum.
 _ALIKE: Final = 1.5
+#: Readings that differ by this part of a swing, and this many reaction times, are of other numbers of swings.
+_MISCOUNTED: Final = 0.75
+_BEYOND_REACTION: Final = 6.0
 #: Shortest and longest full swing (s), with a wide margin.
 _SHORTEST: Final = 1e-3
 _LONGEST: Final = 1e4
@@ -113,17 +116,15 @@ def period_of_readings(
         reaction_time: standard uncertainty that all readings share (s)
 
     Raises:
-        ParameterError: no reading, a number that is not above 0, a swing of less than 1 ms or more than
-            10,000 s, a negative uncertainty, a reaction time longer than a reading, an amplitude out of
-            range, or one that grows
+        ParameterError: no reading, a number that is not above 0, readings that differ by a swing, a swing of
+            less than 1 ms or more than 10,000 s, a negative uncertainty, a reaction time longer than a
+            reading, an amplitude out of range, or one that grows
     """
     whole_number("swings", swings, 1)
     if not readings:
         raise ParameterError("readings", "none", "one time or more (s)")
     times = np.array([positive(f"readings[{i}]", time, "s") for i, time in enumerate(readings)])
-    if times.max() > _ALIKE * times.min():
-        given = f"from {times.min():g} to {times.max():g} s"
-        raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
+    _require_alike(times, swings, reaction_time)
     shortest, longest = swings * _SHORTEST, swings * _LONGEST
     for i, time in enumerate(times.tolist()):
         if not shortest <= time <= longest:
@@ -154,6 +155,16 @@ def period_of_readings(
     return SwingPeriod(
         combined(small, quantities), float(np.mean(times)) / swings, mean_amplitude_factor(first, last)
     )
+
+
+def _require_alike(times: FloatArray, swings: int, reaction_time: float) -> None:
+    """Reject readings (s) that cannot be of the same number of swings."""
+    swing, given = float(np.median(times)) / swings, f"from {times.min():g} to {times.max():g} s"
+    if times.max() > _ALIKE * times.min():
+        raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
+    if np.ptp(times) > max(_MISCOUNTED * swing, _BEYOND_REACTION * reaction_time):
+        allowed = f"alike within a swing of {swing:.3g} s: were the swings of one miscounted?"
+        raise ParameterError("readings", given, allowed)
 
 
 def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) -> Estimate:

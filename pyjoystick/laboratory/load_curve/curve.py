@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import Final
@@ -115,13 +115,16 @@ class LoadCurve:
             raise RecordError(source, "has no loading branch: travel does not rise", advice, column="travel")
         _require_one_way(source, travel[parts[0]], lines[parts[0]], span, "loading")
         two = covered[1] >= _LEAST_COVERED
-        if two:
-            _require_one_way(source, -travel[parts[1]], lines[parts[1]], span, "unloading")
-        else:
+        _require_one_way(source, -travel[parts[1]], lines[parts[1]], span, "unloading")
+        if not two:
+            after = len(travel) - turn - 1
+            left_out = f" ({after} rows after the largest travel are left out)" if after else ""
             notes.append(
-                "has no unloading branch: friction is counted as force of the springs; record the whole cycle"
+                f"has no unloading branch{left_out}: friction is counted as force of the springs; record the "
+                "whole cycle"
             )
         _require_no_spike(source, force, lines, turn)
+        notes += _peak_at_turn(force, lines, turn)
         kept = travel < travel[turn] - _TURN * span if two else np.ones(len(travel), dtype=bool)
         found = [
             Branch(travel[part][kept[part]], force[part][kept[part]], lines[part][kept[part]])
@@ -181,6 +184,15 @@ def _require_no_spike(source: str, force: FloatArray, rows: NDArray[np.int64], t
             rows=[int(rows[i])],
             value=f"{force[i]:.6g} N",
         )
+
+
+def _peak_at_turn(force: FloatArray, rows: NDArray[np.int64], turn: int) -> Iterator[str]:
+    """Note a force that exceeds those beside it by most of its range, at the largest travel."""
+    beside = [float(force[i]) for i in (turn - 1, turn + 1) if 0 <= i < len(force)]
+    excess = float(force[turn]) - max(beside)
+    if excess > _JUMP * np.ptp(force):
+        where = f"at the largest travel (row {rows[turn]})"
+        yield f"force exceeds that beside it by {excess:.4g} N {where}: is it a stop, or wrong?"
 
 
 def _require_one_way(

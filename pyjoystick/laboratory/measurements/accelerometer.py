@@ -23,7 +23,7 @@ from pyjoystick.laboratory.measurements.chain import Motion
 from pyjoystick.laboratory.measurements.low_pass import LowPass
 from pyjoystick.laboratory.measurements.sample_files import PIECE, SampleFile, open_samples
 from pyjoystick.laboratory.measurements.saturation import SaturationWatch
-from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, require_sampling, rows_in_words
+from pyjoystick.motion import GRAVITY, UNITS, Column, RecordError, lone_notes, require_sampling, rows_in_words
 from pyjoystick.support import FloatArray, positive
 
 _COLUMN: Final = Column("acceleration", {**UNITS["acceleration"], **UNITS["voltage"]})
@@ -123,7 +123,7 @@ def read_accelerometer(
         rate=_even_rate(str(path), time, rows),
         smallest=smallest * factor,
         largest=largest * factor,
-        notes=_saturation_notes(file.column, watch),
+        notes=(*_saturation_notes(file.column, watch), *lone_notes(repr(file.column), acceleration, rows)),
     )
 
 

@@ -86,7 +86,7 @@ def _require_rate(
     source: str, numbers: FloatArray, rows: NDArray[np.int64], heading: Heading, rate: float
 ) -> None:
     """Reject times whose mean step is not that of the rate (Hz), within what they are rounded to."""
-    time, steps = time_heading(heading.text), np.diff(numbers)
+    time, steps = time_heading(heading.text, by_unit=True), np.diff(numbers)
     if time is None or time.unit not in UNITS["time"] or (steps < 0.0).any() or not steps.any():
         return
     span = float(numbers[-1] - numbers[0])
@@ -109,7 +109,7 @@ def _allowed_steps(steps: FloatArray, heading: Heading, rate: float) -> tuple[fl
 
     Times are rounded to a multiple of something; if a step is none, it differs by that.
     """
-    time = time_heading(heading.text)
+    time = time_heading(heading.text, by_unit=True)
     usual, margin = float(np.median(steps)) if steps.size else 0.0, 0.5
     if time is not None and time.unit in UNITS["time"] and usual > 0.0:
         step = 1.0 / (rate * UNITS["time"][time.unit])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mmap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,6 +22,7 @@ from pyjoystick.motion import (
     RecordError,
     TableHead,
     cells_of_line,
+    misfit,
     no_number,
     open_text,
     read_table_head,
@@ -125,6 +127,7 @@ def open_samples(
         _require_rate(path, rate)
     require_whole_end(head)
     _require_width(head)
+    _require_closed_marks(path)
     layout = _Layout(head, found[column.name], found.get("time"))
     return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
 
@@ -137,10 +140,22 @@ def _require_width(head: TableHead) -> None:
                 continue
             cells = len(cells_of_line(head.path, number, line.rstrip("\r\n"), head.delimiter))
             if cells > len(head.headings):
-                reason = f"has {cells} cells under {len(head.headings)} headings"
-                advice = "are the decimal marks commas? Export it with decimal points"
-                raise RecordError(str(head.path), reason, advice, rows=[number])
+                raise misfit(head.path, number, cells, len(head.headings))
             return
+
+
+def _require_closed_marks(path: Path) -> None:
+    """Reject a quotation mark that pandas would close in a later line, without the rows between."""
+    with path.open("rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        if content.find(b'"') < 0:
+            return
+        for number, line in enumerate(iter(content.readline, b""), start=1):
+            if line.count(b'"') % 2:
+                reason, advice = (
+                    "has a quotation mark that is not closed",
+                    "remove it, or close it in its row",
+                )
+                raise RecordError(str(path), reason, advice, rows=[number])
 
 
 def _require_rate(path: Path, rate: float | None) -> None:

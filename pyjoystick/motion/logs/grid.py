@@ -18,7 +18,7 @@ from pyjoystick.motion.logs.row_widths import Misfit, Row, of_one_width, shifted
 from pyjoystick.motion.logs.time_cells import NOTHING, clock_of, of_another_kind, plain_numbers
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.stumps import is_cut_short
-from pyjoystick.motion.table_files import TableFile
+from pyjoystick.motion.table_files import TableFile, misfit
 
 _NUMBERS: Final = {
     mark: re.compile(rf"[+-]?(\d+{part}|{dot}\d+)([eE][+-]?\d+)?|[+-]?inf(inity)?", re.IGNORECASE)
@@ -49,6 +49,7 @@ class Candidate:
         remarks: numbers of the other comment lines between the rows
         stump: a number that was cut short
         surplus: whether every row ends with an empty cell that the headings lack
+        again: number of the line of headings, if lines above them are samples under some of the same headings
     """
 
     delimiter: str
@@ -64,6 +65,7 @@ class Candidate:
     remarks: tuple[int, ...] = ()
     stump: str = ""
     surplus: bool = False
+    again: int | None = None
 
     def without_stump(self) -> Candidate:
         """The table of a file without an end of its last line; the cell of a number cut short is emptied."""
@@ -86,10 +88,11 @@ class Candidate:
         """
         width = len(self.rows[0][1])
         if self.ragged is not None:
-            number, cells = self.ragged
-            advice = "was the file cut off, or are the decimal marks commas?"
-            reason = f"has {cells} cells under {self.headed} headings"
-            raise RecordError(str(path), reason, advice, rows=[number])
+            raise misfit(path, *self.ragged, self.headed)
+        if self.again is not None:
+            reason = "headings are repeated here, below samples"
+            advice = "keep one record a file: cut it before this row"
+            raise RecordError(str(path), reason, advice, rows=[self.again])
         units = self.names[1][1] if len(self.names) > 1 else [""] * width
         texts = self.names[0][1] if self.names else [""] * width
         headings = _headings(texts, units)
@@ -185,7 +188,27 @@ def find_table(
         bool(marked) and all(map(is_thousands, marked)),
         tuple(number for number, _ in remarks if number in inside and number not in lost),
         surplus=len(headings) < width,
+        again=_repeated(above, names, decimal),
     )
+
+
+def _repeated(above: Sequence[Row], names: Sequence[Row], decimal: str) -> int | None:
+    """Return the number of the line of headings if some of them stand above other numbers before."""
+    if not names:
+        return None
+    number, headings = names[0]
+    before = [cells for row, cells in above if row < number]
+    for i, cells in enumerate(before):
+        below = before[i + 1 : i + 3]  # one may be a row of units
+        shared = {cell for cell in cells if cell} & set(headings)
+        if shared and any(_is_all_numbers(one, decimal) for one in below):
+            return number
+    return None
+
+
+def _is_all_numbers(cells: Sequence[str], decimal: str) -> bool:
+    filled = [cell for cell in cells if cell]
+    return len(filled) > 1 and all(_kind(cell, decimal) == _NUMBER_CELL for cell in filled)
 
 
 def _is_sample(cells: Sequence[str], width: int, numeric: Sequence[int], decimal: str) -> bool:

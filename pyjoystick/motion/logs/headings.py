@@ -61,7 +61,7 @@ _NAMES: Final[Mapping[str, tuple[str, str]]] = {
     "time": (
         "time",
         "t,time,zeit,uhrzeit,zeitstempel,messzeit,temps,tempo,tiempo,tijd,tid,czas,cas,aika,ido,время,час,时间,時間,"
-        "timestamp,time stamp,elapsed time,relative time,x time",
+        "timestamp,time stamp,elapsed time,relative time,simulation time,x time",
     ),
     "theta": (
         "angle",
@@ -173,11 +173,16 @@ def meaning(name: str) -> str | None:
     return next((quantity for quantity, symbols in _SYMBOLS.items() if name in (quantity, symbols)), None)
 
 
-def time_heading(text: str) -> Heading | None:
-    """Name and unit of a heading that means the time, as ``time_ms``, or has its unit; None for another."""
+def time_heading(text: str, *, by_unit: bool = False) -> Heading | None:
+    """Name and unit of a heading that means the time, as ``time_ms``; None for another.
+
+    Args:
+        text: the heading
+        by_unit: whether a unit of time is enough, as in ``Period (s)``
+    """
     heading = understood(text)
-    is_time = meaning(last_part(heading.name)) == "time" or spelled("time", heading.unit) is not None
-    return heading if is_time else None
+    is_time = meaning(last_part(heading.name)) == "time"
+    return heading if is_time or (by_unit and spelled("time", heading.unit) is not None) else None
 
 
 def _plain(name: str) -> str:

@@ -24,7 +24,7 @@ from pyjoystick.motion.logs.text_files import (
     is_labview_measurement,
 )
 from pyjoystick.motion.records.errors import RecordError
-from pyjoystick.motion.table_files import TableFile, read_table_file
+from pyjoystick.motion.table_files import TableFile, read_table_file, table_of_text
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -190,7 +190,7 @@ def read_log_table(
             advice = "save it with one column of times (X_Columns One), and tabs between the columns"
             raise RecordError(str(path), "holds no two columns of numbers below its headers", advice)
         if found is None:
-            return LogTable(read_table_file(path), "text")  # says what is wrong with it
+            return LogTable(table_of_text(path, text), "text")  # says what is wrong with it
         mark = "comma" if found.decimal == "," else "point"
         words = f"text, {guessed}{encoding}, separated by {delimiter_name(found.delimiter)}, decimal {mark}"
     if not found.names and not numbered:

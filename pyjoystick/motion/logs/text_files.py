@@ -16,6 +16,7 @@ from pyjoystick.motion.logs.headings import meaning, understood
 from pyjoystick.motion.logs.layout import Layout
 from pyjoystick.motion.logs.row_widths import Row
 from pyjoystick.motion.records.errors import RecordError
+from pyjoystick.motion.stumps import require_no_zeros
 from pyjoystick.motion.table_files import cells_of_line, is_blank
 from pyjoystick.support import is_number_text
 
@@ -57,15 +58,15 @@ def decoded(path: Path, data: bytes, encoding: str) -> tuple[str, str]:
     try:
         for name in [encoding] if encoding else _encodings(data):
             try:
-                return data.decode(name).rstrip(_DOS_END), name
+                text = data.decode(name).rstrip(_DOS_END)
             except UnicodeDecodeError:
                 continue
+            require_no_zeros(str(path), text)
+            return text, name
     except LookupError:
         pass
-    row = data.partition(b"\0")[0].count(b"\n") + 1
-    if b"\0" in data and row > 1 and not encoding:
-        reason = "holds bytes of zero, as after a loss of power while the file was written"
-        raise RecordError(str(path), reason, "export it again, or end it before this row", rows=[row])
+    if not encoding and b"\n" in data.partition(b"\0")[0]:
+        require_no_zeros(str(path), data.decode("latin-1"))
     reason = (
         f"is not text in {encoding}" if encoding else "is not UTF-8 text, nor in an encoding that is known"
     )
@@ -114,13 +115,15 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
     lines = _after_labview_headers(path, [(number, line) for number, line in lines if not _is_remark(line)])
     comments = tuple(line.strip() for _, line in remarks)
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
-    # Spreadsheets write rows of delimiters below a table; the last line is to show the delimiter.
+    # Spreadsheets write rows of delimiters below a table.
     while lines and is_blank(lines[-1][1], "".join(_DELIMITERS.values()) + given):
         lines.pop()
+    # Some lines in the second half show the delimiter, even if one of them is damaged.
+    shown = [lines[len(lines) * i // 8 - 1][1] for i in range(5, 9)] if lines else []
     found: list[Candidate] = []
     for one in [given] if given else _DELIMITERS.values():
         # Tables with other delimiters contain spaces too: they separate only if nothing else does.
-        if lines and one in lines[-1][1] and not (one == " " and found and not given):
+        if any(one in line for line in shown) and not (one == " " and found and not given):
             cells = _split(path, lines, one)
             marks = [layout.decimal] if layout.decimal else [".", ","]
             aside = _split(path, remarks, one)

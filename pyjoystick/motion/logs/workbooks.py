@@ -83,9 +83,11 @@ def _seconds(ticks: int) -> str:
 
 
 def _table(rows: Sequence[Sequence[object]]) -> pd.DataFrame:
-    """Rows without the empty ones at the end, which a sheet may have by the thousand."""
+    """Rows of one length without the empty ones at the end, which a sheet may have by the thousand."""
     filled = [i for i, row in enumerate(rows) if any(cell != "" for cell in row)]
-    return pd.DataFrame(list(rows[: filled[-1] + 1]) if filled else [], dtype=object)
+    kept = rows[: filled[-1] + 1] if filled else []
+    width = max(map(len, kept), default=0)
+    return pd.DataFrame([[*row, *[None] * (width - len(row))] for row in kept], dtype=object)
 
 
 def read_ods(path: Path) -> dict[str, pd.DataFrame]:

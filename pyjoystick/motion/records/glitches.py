@@ -1,4 +1,4 @@
-"""Samples of an angle that are somewhere else than the motion around them, for a moment."""
+"""Samples that are somewhere else than those around them, for a moment."""
 
 from __future__ import annotations
 
@@ -29,6 +29,9 @@ _FEWEST: Final = 6
 _FEW: Final = 12
 #: Number of successive samples at which no motion turns back.
 _TURNS: Final = 4
+#: Up to this many samples that are farther outside all others than these are apart, of this many or more.
+_LONE: Final = 3
+_MANY: Final = 20
 
 
 def require_no_glitch(
@@ -100,6 +103,27 @@ def mixture_notes(theta: FloatArray) -> Iterator[str]:
     count = int(lengths[lengths >= _TURNS].sum())
     if count:
         yield f"the angle turns back at {count} samples in succession: do two angles alternate in one column?"
+
+
+def lone_notes(what: str, values: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
+    """Note a few samples that are farther outside the range of all others than this is wide.
+
+    Args:
+        what: the quantity or its heading
+        values: the samples, shape (n,)
+        rows: rows of the samples in the file, shape (n,)
+    """
+    if len(values) < _MANY:
+        return
+    order = np.argsort(np.abs(values - np.median(values)), kind="stable")
+    least, most = values[order[:-_LONE]].min(), values[order[:-_LONE]].max()
+    suspects = np.sort(order[-_LONE:])
+    beyond = np.maximum(values[suspects] - most, least - values[suspects])
+    lone = suspects[beyond > most - least]
+    if lone.size:
+        found = ", ".join(f"{value:.4g}" for value in values[lone])
+        where = rows_in_words(rows[lone].tolist())
+        yield f"{what} is {found}, far outside all other samples ({where}): is it wrong?"
 
 
 def _is_apart(off: FloatArray, i: int) -> bool:

@@ -33,6 +33,7 @@ from pyjoystick.support import (
     InputFileError,
     archive_problem,
     is_number_text,
+    number_of_text,
     positive,
     replacing,
     version_of,
@@ -274,7 +275,7 @@ def _stop_time(path: Path, experiment: Element | None) -> float:
     if not is_number_text(start) or float(start) != 0.0:
         raise InputFileError(path, f"DefaultExperiment: startTime = {start!r}: must be 0 s")
     try:
-        return positive("stopTime", float(stop), "s")
+        return positive("stopTime", number_of_text(stop), "s")
     except ValueError as error:
         allowed = "must be a finite number above 0 s"
         raise InputFileError(path, f"DefaultExperiment: stopTime = {stop!r}: {allowed}") from error

@@ -11,6 +11,7 @@ from typing import Any, Final
 
 import numpy as np
 import pandas as pd
+from pandas.api.types import is_bool_dtype
 
 from pyjoystick.runs.errors import SweepFileError
 from pyjoystick.runs.sweeps.sampling import digest
@@ -65,7 +66,7 @@ def read_sweep(path: str | PathLike[str]) -> pd.DataFrame:
 
     Raises:
         SweepFileError: there is no such file, it is not a result of a sweep, or its runs are not those of its
-            settings: some are missing, twice, in another order, or with other parameters
+            settings: some are missing, twice, in another order, or with other parameters or columns
         MissingPackageError: Parquet without pyarrow
     """
     path = Path(path)
@@ -86,8 +87,9 @@ def _require_its_runs(path: Path, table: pd.DataFrame) -> None:
     identity = table.attrs[ATTRIBUTE]
     try:
         varied, count = list(identity["settings"]["vary"]), identity["runs"]
-        is_whole = table.index.tolist() == list(range(count)) and set(varied) <= set(table)
-        if is_whole and digest(table[varied]) == identity["runs_sha256"]:
+        columns = {*identity["units"], "failed", "message"}
+        is_whole = table.index.tolist() == list(range(count)) and columns == set(table) >= set(varied)
+        if is_whole and is_bool_dtype(table["failed"]) and digest(table[varied]) == identity["runs_sha256"]:
             return
     except (KeyError, TypeError) as error:
         raise SweepFileError(path, "is not a result of a sweep: its settings are damaged") from error

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import tempfile
 import traceback
-from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
 from random import Random
@@ -16,21 +15,13 @@ from fmu_build.support.errors import UnsupportedModelError
 from pyjoystick.fmu import Fmu, run_model_exchange
 from tests.fuzz.models.dynamics import END
 from tests.fuzz.models.program import Program, random_program
+from tests.fuzz.verdicts import Verdict
 
 #: What rounding and cancellation may leave, of the size of the value.
 _ROUNDING: Final = 1e-9
 #: What the integrators may leave at a tolerance of 1e-9, of the size of the value: states move by up to 3/s.
 _STATES: Final = {"Co-Simulation": 1e-6, "Model Exchange": 1e-5}
 _TOLERANCE: Final = 1e-9
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """How a trial ended; `what` says why the model was refused, or what was wrong."""
-
-    case: int
-    kind: Literal["right", "refused", "fault"]
-    what: str = ""
 
 
 def trial(case: int) -> Verdict:

@@ -71,3 +71,12 @@ def test_wrong_usage_and_bad_files(command: Command, tmp_path: Path) -> None:
     assert outcome.code == 1
     assert outcome.message.startswith("bad.csv, column 'force (dyn)', row 2: has an unknown unit")
     assert not (tmp_path / "a.toml").exists()
+
+
+def test_forces_in_another_unit_are_refused(command: Command, tmp_path: Path) -> None:
+    file = write(tmp_path / "curve.csv", *cycle(FORWARD_TABLE, 1, step=20e-6))
+    file.write_text(file.read_text(encoding="utf-8").replace("force (N)", "force (kN)"), encoding="utf-8")
+    outcome = command("import", "load-curve", "curve.csv")
+    assert outcome.code != 0
+    assert "curve.csv: returnSpring.k_s = " in outcome.err
+    assert "must be between 10 and 1e+06 N/m, as a joystick's is" in outcome.err

@@ -202,3 +202,13 @@ def test_a_truncated_archive(joystick_path: Path, tmp_path: Path) -> None:
     path.write_bytes(content[: len(content) // 2])
     with pytest.raises(FmuFileError, match=r"half\.fmu: not an FMU: not a ZIP archive"):
         read_description(path)
+
+
+@pytest.mark.parametrize("start", ["abc", "0,011", "1_0"])
+def test_a_start_value_that_is_no_number(start: str, joystick_path: Path, tmp_path: Path) -> None:
+    def change(text: str) -> str:
+        return re.sub(r'(name="damping.C".*?start=")[^"]*', rf"\g<1>{start}", text, count=1, flags=re.DOTALL)
+
+    path = doctored(joystick_path, tmp_path / "bad.fmu", description=change)
+    with pytest.raises(FmuFileError, match=rf"variable 'damping.C': start = '{start}': must be a number"):
+        read_description(path)

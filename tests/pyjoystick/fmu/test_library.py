@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -11,7 +12,7 @@ from pathlib import Path
 import fmpy
 import pytest
 
-from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError
+from pyjoystick.fmu import Fmu, FmuFileError, UnsupportedFmuError, run_model_exchange
 from pyjoystick.support import PyJoystickError
 from tests.pyjoystick.fmu.doctored import FMI_3, doctored, without_co_simulation
 
@@ -151,3 +152,19 @@ def test_a_forked_process_runs_on_and_deletes_nothing(joystick_path: Path) -> No
     command = [sys.executable, "-c", _FORK, str(joystick_path)]
     lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     assert lines == ["0 True True", "False"]
+
+
+@pytest.mark.parametrize("version", [2, 3])
+def test_start_values_that_were_edited_in_the_description_alone(
+    version: int, joystick_path: Path, joystick_fmus3: Path, tmp_path: Path
+) -> None:
+    def change(text: str) -> str:
+        return re.sub(r'(name="damping.C".*?start=")[^"]*', r"\g<1>0.02", text, count=1, flags=re.DOTALL)
+
+    path = joystick_path if version == 2 else joystick_fmus3 / "Joystick.fmu"
+    edited = doctored(path, tmp_path / "edited.fmu", description=change)
+    message = r"damping\.C is 0\.02 in its modelDescription\.xml, but 0\.045 in its binary: set parameters"
+    with pytest.raises(FmuFileError, match=message):
+        Fmu(edited)
+    with pytest.raises(FmuFileError, match=message):
+        run_model_exchange(edited, [0.0, 0.1])

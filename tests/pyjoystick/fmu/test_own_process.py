@@ -40,6 +40,7 @@ CRASHES = {
     Trouble.EXITS: r"t = 0.1 s: .*its process ended with exit code 0",
     Trouble.ABORTS: r"t = 0.1 s: .*its process was ended by SIGABRT",
     Trouble.CRASHES: r"t = 0.1 s: .*its process was ended by SIGSEGV",
+    Trouble.ABORTS_AFTERWARDS: r"t = 0.3 s: .*its process was ended by SIGABRT",
 }
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="the awkward FMU needs POSIX")
@@ -110,6 +111,13 @@ def test_a_run_without_end_is_ended(foreign: Fmu) -> None:
 def test_what_it_prints_is_kept_apart(foreign: Fmu, capfd: pytest.CaptureFixture[str]) -> None:
     assert run(foreign, Trouble.PRINTS, when=0.25) == pytest.approx(TIME)
     assert capfd.readouterr() == ("", "")
+
+
+def test_a_crash_is_not_blamed_on_what_earlier_runs_printed(foreign: Fmu) -> None:
+    run(foreign, Trouble.PRINTS)
+    with pytest.raises(FmuCrashError, match=CRASHES[Trouble.ABORTS]) as caught:
+        run(foreign, Trouble.ABORTS)
+    assert "printed" not in str(caught.value)
 
 
 @pytest.mark.parametrize("own_process", [False, True], ids=["here", "apart"])
@@ -235,8 +243,8 @@ def test_settings(awkward_path: Path) -> None:
     with pytest.raises(ParameterError, match="time_limit = 0"):
         Fmu(awkward_path, time_limit=0.0)
     fmu = Fmu(awkward_path)
-    with pytest.raises(ParameterError, match="trouble = 18"):
-        fmu.run(TIME, parameters={"trouble": 18})
+    with pytest.raises(ParameterError, match="trouble = 19"):
+        fmu.run(TIME, parameters={"trouble": 19})
     fmu.close()
     with pytest.raises(PyJoystickError, match="has been closed"):
         fmu.run(TIME)

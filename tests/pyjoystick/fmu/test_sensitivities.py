@@ -96,12 +96,12 @@ def test_one_name_stands_for_itself_as_in_a_run(beside: Path) -> None:
 
 def test_one_of_another_joystick_is_refused(beside: Path) -> None:
     """Other start values: the derivatives would be those of another motion."""
-    (beside / "other").mkdir()
-    other = doctored(
-        beside / "Joystick.fmu",
-        beside / "other" / "Joystick.fmu",
+    (beside / "other" / "sensitivities").mkdir(parents=True)
+    one = Path(shutil.copy(beside / "Joystick.fmu", beside / "other"))
+    doctored(
+        beside / "sensitivities" / "Joystick.fmu",
+        one.parent / "sensitivities" / "Joystick.fmu",
         description=lambda xml: xml.replace('start="0.045"', 'start="0.05"'),
     )
-    shutil.copytree(beside / "sensitivities", other.parent / "sensitivities")
-    with Fmu(other) as fmu, pytest.raises(UnsupportedFmuError, match=r"is not the model of .*build it anew"):
+    with Fmu(one) as fmu, pytest.raises(UnsupportedFmuError, match=r"is not the model of .*build it anew"):
         fmu.sensitivities(TIME, by=["J"], outputs=["theta"])

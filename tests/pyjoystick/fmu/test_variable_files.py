@@ -33,7 +33,7 @@ def _file(folder: Path, text: str) -> Path:
 
 
 def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) -> None:
-    table = read_inputs(_file(tmp_path, "clock (ms);T (N m)\n0;0\n100;0.1\n100;-2\n"), joystick)
+    table = read_inputs(_file(tmp_path, "Zeit (ms);T (N m)\n0;0\n100;0.1\n100;-2\n"), joystick)
     assert table.index.tolist() == [0.0, 0.1, 0.1]
     assert table["T"].tolist() == [0.0, 0.1, -2.0]
     for heading in ("", "t"):
@@ -42,7 +42,7 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
         assert read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)["T"].to_dict() == {1e-3: 2.0}
     with pytest.raises(RecordError, match="the first column counts the rows and has no name"):
         read_inputs(_file(tmp_path, ",T\n1.0,2\n2.0,3\n3.0,1\n"), joystick)
-    for heading in ("x", "Sample", "ms", "omega", "theta (deg)"):
+    for heading in ("x", "Sample", "ms", "omega", "theta (deg)", "dt (s)", "time x1000 (s)"):
         with pytest.raises(RecordError, match=re.escape(f"'{heading}': the first column must be the time")):
             read_inputs(_file(tmp_path, f"{heading},T\n1,2\n"), joystick)
 
@@ -50,6 +50,16 @@ def test_the_first_column_is_the_time(tmp_path: Path, joystick: FmuDescription) 
 def test_times_that_run_backward_are_refused(tmp_path: Path, joystick: FmuDescription) -> None:
     with pytest.raises(RecordError, match=r"in\.csv, column 'time \(s\)', row 4: the time runs backward"):
         read_inputs(_file(tmp_path, "time (s),T\n0,1\n0.5,2\n0.4,3\n0.6,4\n"), joystick)
+
+
+def test_more_than_two_rows_of_one_time_are_refused(tmp_path: Path, joystick: FmuDescription) -> None:
+    with pytest.raises(RecordError, match=r"column 'time \(s\)', row 5: more than two rows have one time"):
+        read_inputs(_file(tmp_path, "time (s),T\n0,1\n0.5,2\n0.5,3\n0.5,4\n"), joystick)
+
+
+def test_two_columns_for_one_input_are_refused(tmp_path: Path, joystick: FmuDescription) -> None:
+    with pytest.raises(RecordError, match=r"row 1: has two columns for the input T: 'T \(N\.m\)' and 'T'"):
+        read_inputs(_file(tmp_path, "time (s),T (N.m),T\n0,1,0\n1,2,0\n"), joystick)
 
 
 def test_a_comma_at_the_end_of_every_line_is_no_input(tmp_path: Path, joystick: FmuDescription) -> None:

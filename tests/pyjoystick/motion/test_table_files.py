@@ -165,7 +165,7 @@ def test_cells_in_quotes(tmp_path: Path) -> None:
             "theta (deg)\n\n1\ninf\n",
             "'theta (deg)', row 4: samples without a finite number (found inf)",
         ),
-        ("theta (deg),a\n1,2\n3\n", "row 3: has 1 cells under 2 headings"),
+        ("theta (deg),a\n1,2\n3\n", "row 3: has 1 cell under 2 headings"),
         ("theta (deg),1\n1,2\n", "row 1: has a number where a heading is expected (found '1')"),
         ("theta (deg)\n", "has no rows under a heading"),
         ("# nothing\n", "has no headings"),

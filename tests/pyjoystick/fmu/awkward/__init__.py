@@ -36,6 +36,7 @@ class Trouble(IntEnum):
     PRINTS = 15
     KEEPS_STATE = 16
     STOPS_SHORT = 17
+    ABORTS_AFTERWARDS = 18
 
 
 def compile_library(version: int, folder: Path) -> Path:
@@ -61,7 +62,14 @@ def _text(source: Path) -> str:
 
 
 #: What ends the process that the FMU runs in, never comes back, or prints.
-ROUGH = (Trouble.FOREVER, Trouble.EXITS, Trouble.ABORTS, Trouble.CRASHES, Trouble.PRINTS)
+ROUGH = (
+    Trouble.FOREVER,
+    Trouble.EXITS,
+    Trouble.ABORTS,
+    Trouble.CRASHES,
+    Trouble.PRINTS,
+    Trouble.ABORTS_AFTERWARDS,
+)
 
 
 def build(

@@ -41,8 +41,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
 
 void fmi2FreeInstance(fmi2Component c)
 {
-    if (((Instance *)c)->model.is_dead)
-        abort();
+    model_end(&((Instance *)c)->model);
     --alive;
     free(c);
 }

@@ -41,8 +41,7 @@ fmi3Instance fmi3InstantiateCoSimulation(fmi3String name, fmi3String token, fmi3
 
 void fmi3FreeInstance(fmi3Instance instance)
 {
-    if (((Instance *)instance)->model.is_dead)
-        abort();
+    model_end(&((Instance *)instance)->model);
     free(instance);
 }
 

@@ -35,7 +35,8 @@ enum {
     CRASHES,
     PRINTS,
     KEEPS_STATE,
-    STOPS_SHORT
+    STOPS_SHORT,
+    ABORTS_AFTERWARDS
 };
 
 /* The same in both versions of FMI. */
@@ -69,6 +70,12 @@ static int model_reset(Model *model)
     model_start(model);
     model->y = y;
     return STATUS_OK;
+}
+
+static void model_end(const Model *model)
+{
+    if (model->is_dead || model->trouble == ABORTS_AFTERWARDS)
+        abort();
 }
 
 static void model_print(void)

@@ -30,7 +30,7 @@ from pyjoystick.identification import (
 )
 from pyjoystick.model import NOMINAL
 from pyjoystick.motion import RecordError, read_repeats
-from pyjoystick.support import ParameterError
+from pyjoystick.support import InputFileError, ParameterError
 from tests.pyjoystick.identification.fitting.made import releases
 
 NOISE = math.radians(0.1)
@@ -291,3 +291,23 @@ def test_arguments_of_other_types_are_named(arguments: tuple[object, object], me
 def test_an_fmu_by_name_is_not_an_open_one() -> None:
     with pytest.raises(ParameterError, match="fmu = Joystick: must be an open Fmu"):
         fit(releases(NOMINAL), QUICK, fmu="Joystick")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"standard_error": -1e-4}, "value, standard error and interval of damping.C contradict"),
+        ({"standard_error": True}, "true is not a number"),
+        ({"value": 1e30}, "value, standard error and interval of damping.C contradict"),
+        ({"value": True}, "true is not a number"),
+    ],
+)
+def test_a_fit_that_contradicts_itself_is_not_read(
+    change: dict[str, object], message: str, with_bootstrap: Fit, tmp_path: Path
+) -> None:
+    content = json.loads(as_json(with_bootstrap))
+    next(one for one in content["parameters"] if one["name"] == "damping.C").update(change)
+    file = tmp_path / "fit.json"
+    file.write_text(json.dumps(content), "utf-8")
+    with pytest.raises(InputFileError, match=message):
+        read_fit(file)

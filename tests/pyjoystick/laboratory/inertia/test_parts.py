@@ -186,3 +186,17 @@ def test_no_parts_or_a_body_below_the_pivot() -> None:
         from_parts([])
     with pytest.raises(ParameterError, match="heights count upward"):
         from_parts([rod("hanging", 1.0, -0.3, 0.0)])
+
+
+def test_an_unknown_column_with_some_numbers_is_not_ignored(tmp_path: Path) -> None:
+    lines = FILE.splitlines()
+    head = next(i for i, line in enumerate(lines) if line.startswith("part"))
+    file = tmp_path / "parts.csv"
+    for heading, is_refused in (("y (mm)", True), ("material", False)):
+        more = [f"{line};{7075 if i % 2 else '~12'}" for i, line in enumerate(lines[head + 1 :])]
+        file.write_text("\n".join([*lines[:head], f"{lines[head]};{heading}", *more]), encoding="utf-8")
+        if is_refused:
+            with pytest.raises(RecordError, match=r"column 'y \(mm\)': is not known"):
+                read_parts(file)
+        else:
+            assert len(read_parts(file)) == len(more)

@@ -238,3 +238,8 @@ def _passages(record: Record) -> FloatArray:
     inner = before[1 : counted - 2]
     step = record.theta[inner + 1] - record.theta[inner]
     return np.asarray(record.time[inner] - record.theta[inner] / step * record.interval)
+
+
+def test_a_reading_of_another_number_of_swings_is_refused() -> None:
+    with pytest.raises(ParameterError, match=r"readings = from 8.03 to 8.81 s: .*miscounted"):
+        period_of_readings([8.03, 8.07, 8.81], 10, Measured(0.1, 0.01))

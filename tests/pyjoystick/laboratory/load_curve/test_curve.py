@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -173,3 +174,22 @@ def test_force_may_peak_at_the_turn() -> None:
     force = np.where(travel > 0.99e-3, 50.0, 1e3 * travel)
     curve = LoadCurve.from_cycle(np.append(travel, travel[-2::-1]), np.append(force, force[-2::-1]))
     assert len(curve.branches) == 2
+
+
+def test_rows_after_the_largest_travel_are_not_lost_in_silence(tmp_path: Path) -> None:
+    """One that is out of its place, and an unloading that ends early."""
+    travel, force = (values[: np.argmax(values) + 1] for values in cycle(FORWARD_TABLE, 1, step=20e-6))
+    order = np.insert(np.arange(len(travel) - 1), 102, len(travel) - 1)
+    with pytest.raises(RecordError, match=r"travel turns back by .* within unloading"):
+        read_load_curve(write(tmp_path / "moved.csv", travel[order], force[order]))
+    part = np.append(np.arange(len(travel)), len(travel) - np.arange(2, 12))
+    (note,) = read_load_curve(write(tmp_path / "part.csv", travel[part], force[part])).notes
+    assert note.startswith("has no unloading branch (10 rows after the largest travel are left out): ")
+
+
+def test_a_force_that_leaps_at_the_largest_travel_is_noted(tmp_path: Path) -> None:
+    travel, force = cycle(FORWARD_TABLE, 1, step=20e-6)
+    turn = int(np.argmax(travel))
+    force[turn] += 2.0 * np.ptp(force)
+    (note,) = read_load_curve(write(tmp_path / "peak.csv", travel, force)).notes
+    assert re.fullmatch(r"force exceeds that beside it by .* N at the largest travel \(row \d+\): .*", note)

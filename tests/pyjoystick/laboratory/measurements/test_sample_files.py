@@ -86,7 +86,7 @@ def test_numbers_of_samples_that_skip_some_are_refused(heading: str, size: int, 
 )
 def test_decimal_commas_between_commas_are_refused(heading: str, form: str, tmp_path: Path) -> None:
     path = write(tmp_path / "a.csv", _text([form.format(i, i % 7) for i in range(20)], heading))
-    with pytest.raises(RecordError, match=r"row 3: has \d cells under \d headings; are the decimal ma"):
+    with pytest.raises(RecordError, match=r"row 3: has \d cells under \d headings?; was the file"):
         open_samples(path, VOLTS, rate=50.0)
 
 
@@ -189,3 +189,14 @@ def test_times_that_do_not_increase_are_named_across_pieces(tmp_path: Path, plac
     rows[place] = f"{10 * (place - 1) + step},1.5"
     with pytest.raises(RecordError, match=f"row {place + 3}: the time does not increase"):
         _pieces(write(tmp_path / "a.csv", _text(rows)))
+
+
+def test_a_quotation_mark_does_not_swallow_samples(tmp_path: Path) -> None:
+    rows = [f"{i % 7}.5,{note}" for i, note in enumerate(["", '"start', "", "", 'stop"', '"whole"', ""])]
+    path = write(tmp_path / "a.csv", _text(rows, "signal (V),note"))
+    with pytest.raises(RecordError, match=r"row 4: has a quotation mark that is not closed"):
+        open_samples(path, VOLTS, rate=50.0)
+    path = write(
+        tmp_path / "a.csv", _text([row.replace('"start', "start") for row in rows[:4]], "signal (V),note")
+    )
+    assert sum(len(piece.values) for piece in open_samples(path, VOLTS, rate=50.0).pieces()) == 4

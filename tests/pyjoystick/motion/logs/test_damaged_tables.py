@@ -273,3 +273,65 @@ def test_equal_times_are_refused_for_what_they_are(tmp_path: Path) -> None:
 def test_a_file_with_the_end_mark_of_dos(tmp_path: Path) -> None:
     content = text(HEADINGS[:2], TIME, ANGLE)
     assert len(read_log(written(tmp_path / "log.csv", content + "\x1a")).series["time"]) == COUNT
+
+
+def test_bytes_of_zero_in_a_column_that_is_not_read(tmp_path: Path) -> None:
+    content = "time (s),theta (deg),U (V)\n" + _lines("{:.3f},{:.4f},5.0\n")
+    file = written(tmp_path / "log.csv", content.replace("5.0\n0.04", "\0\0\0\0\0\0\0\0", 1), "utf-8-sig")
+    for read in (read_log, read_record, read_table_file):
+        with pytest.raises(RecordError, match=r"row 11: holds bytes of zero"):
+            read(file)
+
+
+@pytest.mark.parametrize(
+    "before",
+    [
+        "time (s),angle (deg)\n-0.2,1.0\n-0.1,1.1\n",
+        "Run 1\ntime (s),angle (deg)\n-0.2,1.0\n-0.1,1.1\n\nRun 2\n",
+        "time (s),angle (deg),U (V)\n-0.1,1.1,2.5\n",
+    ],
+)
+def test_samples_above_the_headings_are_not_lost(before: str, tmp_path: Path) -> None:
+    """They have other columns, or are few."""
+    samples = "time (s),angle (deg),temp (degC)\n" + _lines("{:.3f},{:.4f},21.0\n")
+    row = before.count("\n") + 1
+    with pytest.raises(RecordError, match=f"row {row}: headings are repeated here, below samples"):
+        read_log(written(tmp_path / "log.csv", before + samples))
+
+
+def test_settings_above_the_headings_may_have_their_names(tmp_path: Path) -> None:
+    before = "Channel,time (s),angle (deg)\nGain,1.0,2.5\nOffset,0.0,0.5\n\n"
+    samples = "time (s),angle (deg),temp (degC)\n" + _lines("{:.3f},{:.4f},21.0\n")
+    assert len(read_log(written(tmp_path / "log.csv", before + samples)).rows) == COUNT
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "utf-16"])
+def test_a_last_row_with_another_delimiter(encoding: str, tmp_path: Path) -> None:
+    rows = _lines("{:.3f};{:.4f}\n").replace(".", ",")
+    head, _, last = rows.rstrip("\n").rpartition("\n")
+    content = f"Zeit (s);Winkel (°)\n{head}\n{last.replace(';', '|')}\n"
+    with pytest.raises(RecordError, match=rf"row {COUNT + 1}: has 1 cell under 2 headings"):
+        read_log(written(tmp_path / "log.csv", content, encoding))
+
+
+@pytest.mark.parametrize("value", [91.0, -40.0])
+def test_a_velocity_or_torque_far_outside_is_noted(value: float, tmp_path: Path) -> None:
+    torque = TORQUE.copy()
+    torque[60] = value
+    (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:3], TIME, ANGLE, torque))).notes
+    assert note == f"'torque (N.m)' is {value:g}, far outside all other samples (row 62): is it wrong?"
+    omega = np.gradient(np.radians(ANGLE), TIME)
+    omega[60] = value
+    file = written(
+        tmp_path / "record.csv", text(("time (s)", "theta (deg)", "omega (rad/s)"), TIME, ANGLE, omega)
+    )
+    notes = read_record(file, free_oscillation=False).notes
+    assert notes == (f"omega is {value:g}, far outside all other samples (row 62): is it wrong?",)
+
+
+def test_an_angle_that_jumps_is_refused_in_any_record(tmp_path: Path) -> None:
+    angle = ANGLE.copy()
+    angle[60] += 30.0
+    file = written(tmp_path / "record.csv", text(("time (s)", "theta (deg)"), TIME, angle))
+    with pytest.raises(RecordError, match=r"rows 61-62: the angle jumps by 29"):
+        read_record(file, free_oscillation=False)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import openpyxl
 import pandas as pd
 import pytest
 from scipy.io import savemat
@@ -75,6 +76,16 @@ def test_a_preamble_and_a_row_of_units_in_a_workbook(tmp_path: Path) -> None:
     head = pd.DataFrame([["Bench 3", "", ""], ["Rate", 250, ""]])
     table = pd.concat([head, units, body])
     _check(_workbook(tmp_path / "log.xlsx", ("a", table), header=False), torque=True)
+
+
+def test_rows_of_unequal_length_in_a_workbook(tmp_path: Path) -> None:
+    book = openpyxl.Workbook()
+    book.active.append(["Bench 3"])
+    book.active.append(list(GERMAN))
+    for row in GERMAN.to_numpy().tolist():
+        book.active.append(row)
+    book.save(tmp_path / "log.xlsx")
+    _check(tmp_path / "log.xlsx", torque=True)
 
 
 def test_numbers_as_text_with_commas_in_a_workbook(tmp_path: Path) -> None:

@@ -94,7 +94,7 @@ def test_a_line_that_was_cut_off_is_named(tmp_path: Path) -> None:
     path = write(tmp_path / "cut.csv", [[0.0, 1.0], [0.1], [0.2, 1.0]])
     error = _refusal(path)
     assert error.rows == (3,)
-    assert "has 1 cells under 2 headings" in str(error)
+    assert "has 1 cell under 2 headings" in str(error)
 
 
 def test_a_decimal_comma_is_read(tmp_path: Path) -> None:

@@ -284,6 +284,11 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ),
         (
             'stopTime="1.2"',
+            'stopTime="1_0"',
+            r"DefaultExperiment: stopTime = '1_0': must be a finite number above",
+        ),
+        (
+            'stopTime="1.2"',
             'stopTime="-1"',
             r"DefaultExperiment: stopTime = '-1': must be a finite number above",
         ),

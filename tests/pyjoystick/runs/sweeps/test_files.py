@@ -74,6 +74,7 @@ def test_parameters_of_every_type_are_those_of_the_settings(
         "runs": 2,
         "runs_sha256": digest(table[["p"]]),
         "types": {"p": values.dtype.str},
+        "units": {"p": "", "y.final": ""},
     }
     write_sweep(tmp_path / f"a{suffix}", table)
     again = read_sweep(tmp_path / f"a{suffix}")["p"].to_numpy()
@@ -102,6 +103,20 @@ def test_the_program_in_the_documentation(
     names: dict[str, object] = {}
     exec(compile(program, "sweeps.md", "exec"), names)
     assert names["sha256"] == small_sweep.fmu_sha256
+
+
+@pytest.mark.parametrize("suffix", [".csv", ".parquet"])
+def test_results_that_are_missing_or_renamed(small_sweep: Sweep, suffix: str, tmp_path: Path) -> None:
+    table, path = _table(small_sweep), tmp_path / f"a{suffix}"
+    for changed in (
+        table.drop(columns="E.loss"),
+        table.rename(columns={"E.loss": "loss"}),
+        table.assign(failed=0.5),
+    ):
+        changed.attrs = table.attrs
+        write_sweep(path, changed)
+        with pytest.raises(SweepFileError, match="its runs are not those of its settings"):
+            read_sweep(path)
 
 
 def test_names_and_packages_are_checked_first(monkeypatch: pytest.MonkeyPatch) -> None:
