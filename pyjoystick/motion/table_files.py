@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import logging
+import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -27,6 +28,8 @@ from pyjoystick.support import FloatArray, is_number_text, number_of_text
 _LOG = logging.getLogger(__name__)
 
 _COMMENT: Final = "#"
+#: Errors that spreadsheets show in cells, as in #N/A, #DIV/0! or, in German, #WERT!.
+_ERROR: Final = re.compile(r"#(N/A|NV\b|[^\W\d]+(/0)?[!?])", re.IGNORECASE)
 DELIMITERS: Final = ",;\t"
 #: Larger numbers are not measurements; their powers would overflow.
 LARGEST: Final = 1e60
@@ -228,7 +231,7 @@ def table_of_text(path: Path, text: str) -> TableFile:
     require_whole_end(head)
     headings = [one.text for one in head.headings]
     _LOG.info("read %s: %d rows of %s", path, len(rows), ", ".join(headings))
-    comments = tuple(line.removeprefix(_COMMENT).strip() for _, line in lines if line.startswith(_COMMENT))
+    comments = tuple(line.removeprefix(_COMMENT).strip() for _, line in lines if is_comment(line))
     return TableFile(head, comments, cells, np.array([number for number, _ in rows], dtype=np.int64))
 
 
@@ -269,7 +272,13 @@ def _numbered(lines: Iterable[str]) -> Iterator[tuple[int, str]]:
 
 def _filled(lines: Iterable[tuple[int, str]]) -> Iterator[tuple[int, str]]:
     """The lines that are neither without content nor comments."""
-    return ((number, line) for number, line in lines if not is_blank(line) and not line.startswith(_COMMENT))
+    return ((number, line) for number, line in lines if not is_blank(line) and not is_comment(line))
+
+
+def is_comment(line: str, marks: tuple[str, ...] = (_COMMENT,)) -> bool:
+    """Whether a line is a comment, and not a row whose first cell shows the error of a spreadsheet."""
+    first = line.lstrip()
+    return first.startswith(marks) and _ERROR.match(first) is None
 
 
 def is_blank(line: str, delimiters: str = DELIMITERS) -> bool:

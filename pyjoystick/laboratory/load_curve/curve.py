@@ -117,8 +117,8 @@ class LoadCurve:
         two = covered[1] >= _LEAST_COVERED
         _require_one_way(source, -travel[parts[1]], lines[parts[1]], span, "unloading")
         if not two:
-            after = len(travel) - turn - 1
-            left_out = f" ({after} rows after the largest travel are left out)" if after else ""
+            is_left_out = turn + 1 < len(travel)
+            left_out = f" (rows after row {lines[turn]}, the largest travel, are left out)" * is_left_out
             notes.append(
                 f"has no unloading branch{left_out}: friction is counted as force of the springs; record the "
                 "whole cycle"

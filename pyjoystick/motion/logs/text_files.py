@@ -17,7 +17,7 @@ from pyjoystick.motion.logs.layout import Layout
 from pyjoystick.motion.logs.row_widths import Row
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.stumps import require_no_zeros
-from pyjoystick.motion.table_files import cells_of_line, is_blank
+from pyjoystick.motion.table_files import cells_of_line, is_blank, is_comment
 from pyjoystick.support import is_number_text
 
 _DELIMITERS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|", "space": " "}
@@ -111,8 +111,10 @@ def find_in_text(path: Path, text: str, layout: Layout) -> tuple[Candidate | Non
     """
     numbered = enumerate(re.split("\r\n|\r|\n", text), start=1)
     lines = _without_double_spacing([(number, line.strip(" ")) for number, line in numbered])
-    remarks = [(number, line.lstrip("#%/ ")) for number, line in lines if _is_remark(line)]
-    lines = _after_labview_headers(path, [(number, line) for number, line in lines if not _is_remark(line)])
+    remarks = [(number, line.lstrip("#%/ ")) for number, line in lines if is_comment(line, _REMARKS)]
+    lines = _after_labview_headers(
+        path, [(number, line) for number, line in lines if not is_comment(line, _REMARKS)]
+    )
     comments = tuple(line.strip() for _, line in remarks)
     given = _DELIMITERS.get(layout.delimiter, "\t" if layout.delimiter == "\\t" else layout.delimiter)
     # Spreadsheets write rows of delimiters below a table.
@@ -188,11 +190,6 @@ def _without_double_spacing(lines: Sequence[tuple[int, str]]) -> list[tuple[int,
 def is_labview_measurement(text: str) -> bool:
     """Whether a text is a LabVIEW measurement file (.lvm)."""
     return _LABVIEW_END in text
-
-
-def _is_remark(line: str) -> bool:
-    first = line.lstrip()
-    return first.startswith(_REMARKS) and not first.casefold().startswith(("#n/a", "#nv", "#div/0!", "#num!"))
 
 
 def _after_labview_headers(path: Path, lines: list[tuple[int, str]]) -> list[tuple[int, str]]:

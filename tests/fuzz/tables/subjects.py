@@ -86,7 +86,7 @@ def _series(name: str, heading: tuple[str, str], values: FloatArray, digits: int
 def _release(random: Random) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Times (s), angles (rad) and velocities (rad/s) of a release from a hold, with noise."""
     rate = random.choice((50.0, 100.0, 240.0, 500.0, 1000.0))
-    time = np.arange(int(rate * random.uniform(0.8, 1.6))) / rate + random.choice((0.0, 0.0, 12.5))
+    time = np.arange(int(rate * random.uniform(1.2, 2.0))) / rate + random.choice((0.0, 0.0, 12.5))
     since = np.maximum(time - time[0] - random.uniform(0.1, 0.3), 0.0)
     amplitude, decay, speed = (
         math.radians(random.uniform(-20.0, -8.0)),

@@ -204,3 +204,11 @@ def test_an_option_replaces_an_unknown_unit_and_no_known_one(tmp_path: Path) -> 
     path = _file(tmp_path, "force (mm),x\n2,1\n3,1\n")
     with pytest.raises(RecordError, match="unit mm in its heading, but N is given; correct the"):
         read_table_file(path).read([column], units={"force": "N"})
+
+
+@pytest.mark.parametrize("error", ["#DIV/0!", "#N/A", "#WERT!", "#NAME?", "#NV"])
+def test_a_row_that_begins_with_the_error_of_a_spreadsheet_is_no_comment(error: str, tmp_path: Path) -> None:
+    file = read_table_file(_file(tmp_path, f"theta (rad),x\n1,2\n#no sample\n{error},3\n"))
+    assert file.comments == ("no sample",)
+    with pytest.raises(RecordError, match=rf"row 4: is not a number \(found '{re.escape(error)}'\)"):
+        file.read([ANGLE])
