@@ -13,13 +13,23 @@ import typer
 
 from pyjoystick import fmu, identification, model, motion, runs, support
 from pyjoystick.cli import joystick_choice, options, parsing
-from pyjoystick.cli.console import output, print_note, progress_bar, progress_console, write_json, write_plot
+from pyjoystick.cli.console import (
+    output,
+    print_note,
+    print_warning,
+    progress_bar,
+    progress_console,
+    write_json,
+    write_plot,
+)
 from pyjoystick.cli.fit import settings_of
 from pyjoystick.cli.fmus import found_or_built
-from pyjoystick.support import check_outputs
+from pyjoystick.support import FloatArray, check_outputs
 
 #: Candidate release angles (deg), on both sides.
 _ANGLES: Final = (1.0, 2.0, 3.0, 5.0, 7.0, 10.0, 15.0, 20.0)
+#: Part of a torque's integral that sampling may change without a warning.
+_MOST_LOST: Final = 0.05
 #: Most samples of an experiment.
 _MOST_SAMPLES: Final = 1_000_000
 EXAMPLES: Final = """
@@ -177,8 +187,22 @@ def _experiments(
             motion.require_plausible_load(path, name, table[name].to_numpy(), name, advice)
         time = np.arange(math.floor(since[-1] * rate) + 1) / rate
         series = {name: np.interp(time, since, table[name]) for name in settings.inputs}
+        for name, sampled in series.items():
+            _tell_of_lost(path, name, since, table[name].to_numpy(), np.interp(since, time, sampled), rate)
         found.append(identification.Experiment(path.stem, time, inputs=series))
     return found
+
+
+def _tell_of_lost(
+    path: Path, name: str, time: FloatArray, given: FloatArray, sampled: FloatArray, rate: float
+) -> None:
+    """Note a torque of which much lies between the samples: a record has it at the rate of the motion."""
+    lost, whole = (float(np.trapezoid(np.abs(one), time)) for one in (given - sampled, given))
+    if lost > _MOST_LOST * whole:
+        change = f"differs by {100.0 * lost / whole:.2g} % from the file"
+        print_warning(
+            f"{path}: {name} at the --rate of the record, {rate:g} Hz, {change}: choose one that resolves it"
+        )
 
 
 def _known(

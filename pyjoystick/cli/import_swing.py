@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Final
@@ -11,8 +12,9 @@ import typer
 from pyjoystick import laboratory, model, motion
 from pyjoystick.cli import options
 from pyjoystick.cli.console import output, print_warning, write_json
+from pyjoystick.cli.invocation import invocation
 from pyjoystick.cli.parameter_updates import file_to_update, write_measured
-from pyjoystick.cli.parsing import parse_angle, parse_assignments
+from pyjoystick.cli.parsing import parse_angle, parse_assignments, refuse_given
 from pyjoystick.cli.plausibility import require_plausible, require_uncertainties
 from pyjoystick.support import ParameterError, check_outputs, positive
 
@@ -29,6 +31,8 @@ Hang the joystick upside down, clear of its springs, and let it swing about its 
 #: Quantities on which the moment of inertia depends, with their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
 _UNITS: Final = {"m": "kg", "h": "m", "g": "m/s2"}
+#: Largest radius of gyration of a joystick (m).
+_FARTHEST: Final = 1.0
 
 
 def run(
@@ -39,7 +43,9 @@ def run(
         list[float] | None,
         typer.Option("--time", metavar="SECONDS", help="Stopwatch reading; repeatable."),
     ] = None,
-    swings: Annotated[int, typer.Option(min=1, help="Number of full swings per reading.")] = 1,
+    swings: Annotated[
+        int | None, typer.Option(min=1, help="Number of full swings per reading.", show_default="1")
+    ] = None,
     amplitude: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Amplitude at the start of a reading, such as 10deg.")
     ] = None,
@@ -48,8 +54,9 @@ def run(
         typer.Option(metavar="ANGLE", help="Amplitude at the end of a reading. Default: --amplitude."),
     ] = None,
     amplitude_uncertainty: Annotated[
-        str, typer.Option(metavar="ANGLE", help="Standard uncertainty of the amplitudes.")
-    ] = "1deg",
+        str | None,
+        typer.Option(metavar="ANGLE", help="Standard uncertainty of the amplitudes.", show_default="1deg"),
+    ] = None,
     reaction_time: Annotated[
         float | None,
         typer.Option(metavar="SECONDS", help="Standard uncertainty common to all readings. Default: 0.05 s."),
@@ -66,13 +73,24 @@ def run(
     if (record is None) == (not times):
         raise typer.BadParameter("give a recorded swing or stopwatch readings by --time")
     if record is not None:
+        refuse_given(
+            "is for stopwatch readings: leave it out",
+            {
+                "--swings": swings,
+                "--amplitude": amplitude,
+                "--end-amplitude": end_amplitude,
+                "--amplitude-uncertainty": amplitude_uncertainty,
+                "--reaction-time": reaction_time,
+            },
+        )
         period = laboratory.period_of_record(motion.read_record(record, free_oscillation=False))
     else:
         period = _of_readings(
-            times or [], swings, amplitude, end_amplitude, amplitude_uncertainty, reaction_time
+            times or [], swings or 1, amplitude, end_amplitude, amplitude_uncertainty or "1deg", reaction_time
         )
     found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])
     require_plausible({"J": found.value})
+    _require_compact(found.value, values["m"].value)
     console = output()
     console.print(laboratory.swing_report(period), markup=False)
     console.print()
@@ -86,6 +104,14 @@ def run(
         source = readings if record is None else f"swing test {record.name}"
         write_measured(parameters, before, laboratory.measured_swing(found, values, source))
     write_json(json, lambda notes: laboratory.swing_json(period, found, friction, notes))
+
+
+def _require_compact(inertia: float, mass: float) -> None:
+    """Reject a J (kg m2) for which most of the mass (kg) would be farther from the pivot than 1 m."""
+    radius = math.sqrt(inertia / mass)
+    if radius > _FARTHEST and not invocation.implausible:
+        allowed = f"a radius of gyration below {_FARTHEST:g} m, not {radius:.3g} m: how many --swings?"
+        raise model.ImplausibleError("J", inertia, allowed)
 
 
 def _known(

@@ -17,6 +17,7 @@ from pyjoystick.fmu.description import FmuDescription, Variable
 from pyjoystick.fmu.values import INTEGERS
 from pyjoystick.motion import (
     TIME,
+    UNITS,
     Column,
     Heading,
     Match,
@@ -25,6 +26,7 @@ from pyjoystick.motion import (
     read_log_table,
     read_table_file,
     time_heading,
+    understood,
 )
 from pyjoystick.support import FloatArray, UnknownInputError
 
@@ -96,7 +98,13 @@ def _with_time_first(file: TableFile) -> TableFile:
     if time is None:
         reason, advice = "the first column must be the time", "name it 'time (s)'"
         raise RecordError(str(file.head.path), reason, advice, column=first.text)
-    return replace(file, head=replace(file.head, headings=(time, *others)))
+    return replace(file, head=replace(file.head, headings=(time, *map(_spelled, others))))
+
+
+def _spelled(heading: Heading) -> Heading:
+    """The heading with the usual spelling of its unit, as N.m for Nm."""
+    known = understood(heading.text)
+    return replace(heading, unit=known.unit) if heading.unit and known.name == heading.name else heading
 
 
 def _counts_rows(numbers: FloatArray) -> bool:
@@ -125,8 +133,12 @@ def read_variables(path: str | PathLike[str], fmu: FmuDescription, names: Sequen
 
 
 def _column(variable: Variable) -> Column:
+    """The variable in its own unit, its display unit, or another of `UNITS` of its kind."""
+    alike = next((units for units in UNITS.values() if variable.unit in units), {})
+    units = {variable.unit: 1.0} | {unit: factor / alike[variable.unit] for unit, factor in alike.items()}
     display = variable.display_unit
-    units = {variable.unit: 1.0} | ({display.unit: 1.0 / display.factor} if display else {})
+    if display:
+        units[display.unit] = 1.0 / display.factor
     return Column(variable.name, units, default_unit=variable.unit)
 
 
@@ -152,6 +164,6 @@ def _values(file: TableFile, match: Match, variable: Variable) -> NDArray[Any]:
         if all(one == one.to_integral_value() for one in written):
             return pd.Series([int(one) for one in written]).to_numpy()
     display = variable.display_unit
-    if display is None or match.unit == variable.unit:
-        return numbers
-    return np.asarray((numbers - display.offset) / display.factor)
+    if display is not None and match.unit == display.unit != variable.unit:
+        return np.asarray((numbers - display.offset) / display.factor)
+    return np.asarray(numbers * match.factor)

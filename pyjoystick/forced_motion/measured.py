@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from os import PathLike
 from typing import Final
@@ -28,10 +28,14 @@ from pyjoystick.motion import (
     Column,
     Record,
     RecordError,
+    lone_notes,
     read_log_table,
     read_record,
 )
+from pyjoystick.support import FloatArray
 
+#: Least correlation of the velocity with the integral of the acceleration.
+_ALIKE: Final = 0.98
 _ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, advice=MISSING_ADVICE)
 
 
@@ -78,13 +82,15 @@ def read_motion(
     found = read_log_table(path, numbered=bool(columns)).read(
         [_ALPHA], headings=of_alpha[0], units=of_alpha[1]
     )
+    if not record.theta.any():
+        raise RecordError(str(path), "is zero throughout", "was the right column chosen?", column="theta")
     alpha = found.get("alpha")
     if record.omega is not None and alpha is not None:
         _require_no_gap(record)
         record.require_rate("alpha", alpha)
-        return MeasuredMotion(
-            Samples.trapezoidal(record.time, record.theta, record.omega, alpha), False, record.notes
-        )
+        samples = Samples.trapezoidal(record.time, record.theta, record.omega, alpha)
+        doubts = *lone_notes("alpha", alpha, record.rows), *_shifted(record.time, record.omega, alpha)
+        return MeasuredMotion(samples, False, (*record.notes, *doubts))
     return MeasuredMotion(through_chain(record, chain or Chain()), True, record.notes)
 
 
@@ -99,6 +105,16 @@ def through_chain(record: Record, chain: Chain) -> Samples:
     for start, end in motion.gaps:
         raise _gap(record, int(np.searchsorted(record.time, 0.5 * (start + end))) - 1)
     return Samples.trapezoidal(motion.time, motion.theta, motion.omega, motion.alpha)
+
+
+def _shifted(time: FloatArray, omega: FloatArray, alpha: FloatArray) -> Iterator[str]:
+    """Note an acceleration whose integral does not follow the velocity, as one that is late."""
+    whole = np.concatenate(([0.0], np.cumsum(0.5 * (alpha[1:] + alpha[:-1]) * np.diff(time))))
+    # An offset of the acceleration is a drift of the integral.
+    left = [one - np.polyval(np.polyfit(time, one, 1), time) for one in (omega, whole)]
+    sizes = [float(np.linalg.norm(one)) for one in left]
+    if min(sizes) > 0.0 and float(left[0] @ left[1]) < _ALIKE * sizes[0] * sizes[1]:
+        yield "the integral of alpha does not follow omega: is it filtered otherwise, or late?"
 
 
 def _require_no_gap(record: Record) -> None:

@@ -13,7 +13,7 @@ from .extrema import (
     peaks_among as peaks_among,
 )
 from .labelled import to_xarray as to_xarray
-from .logs.headings import time_heading as time_heading
+from .logs.headings import time_heading as time_heading, understood as understood
 from .logs.layout import Layout as Layout, Scale as Scale, scale_of as scale_of
 from .logs.log_table import LogTable as LogTable, read_log_table as read_log_table
 from .logs.reading import (
@@ -36,6 +36,7 @@ from .records.glitches import (
     lone_notes as lone_notes,
     require_no_glitch as require_no_glitch,
 )
+from .records.instrument import uneven_notes as uneven_notes
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
     GAP as GAP,

@@ -23,6 +23,8 @@ _ALIKE: Final = 1.5
 #: Readings that differ by this part of a swing, and this many reaction times, are of other numbers of swings.
 _MISCOUNTED: Final = 0.75
 _BEYOND_REACTION: Final = 6.0
+#: By this many standard uncertainties J may be below m h^2 (parallel axes).
+_BEYOND_ERROR: Final = 3.0
 #: Shortest and longest full swing (s), with a wide margin.
 _SHORTEST: Final = 1e-3
 _LONGEST: Final = 1e4
@@ -177,7 +179,8 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
         g: gravitational acceleration (m/s2); its sign does not matter
 
     Raises:
-        ParameterError: m or h is not above 0, or g is 0, so that nothing swings
+        ParameterError: m or h is not above 0, g is 0, so that nothing swings, or a body with its center of
+            mass at h cannot swing as fast
     """
     positive("m", m.value, "kg")
     positive("h", h.value, "m")
@@ -187,7 +190,12 @@ def inertia_of_swing(period: Estimate, m: Measured, h: Measured, g: Measured) ->
         return m * abs(g) * h * (T / (2.0 * math.pi)) ** 2
 
     measured = Measured(period.value, period.uncertainty, period.freedom)
-    return combined(inertia, {"T": measured, "m": m, "h": h, "g": g})
+    found = combined(inertia, {"T": measured, "m": m, "h": h, "g": g})
+    least = m.value * h.value**2
+    if found.value + _BEYOND_ERROR * found.uncertainty < least:
+        allowed = f"at least m h^2 = {least:.4g} kg m2: is a swing of {period.value:.4g} s right?"
+        raise ParameterError("J", f"{found.value:.4g} kg m2", allowed)
+    return found
 
 
 def friction_of_swing(decay: Decay, m: Measured, h: Measured, g: Measured) -> Estimate:

@@ -130,6 +130,12 @@ def read_accelerometer(
 def _factor(file: SampleFile, sensitivity: float | None) -> float:
     """Factor from the unit of the file to m/s2."""
     if file.unit in UNITS["acceleration"]:
+        if sensitivity is not None:
+            reason, advice = (
+                f"is in {file.unit}, not in volts",
+                "leave the sensitivity out, or correct the unit",
+            )
+            raise RecordError(str(file.path), reason, advice, column=file.column)
         return UNITS["acceleration"][file.unit]
     if sensitivity is None:
         advice = "give the sensitivity of accelerometer and amplifier in V/(m/s2)"

@@ -29,7 +29,7 @@ from pyjoystick.laboratory.measurements.angle_notes import (
 from pyjoystick.laboratory.measurements.marker_path import Circle, MotionPlane, fit_circle, motion_plane
 from pyjoystick.laboratory.measurements.markers import Markers, unseen
 from pyjoystick.model import JoystickParameters, Side, angle_of_travel
-from pyjoystick.motion import Record, RecordError, glitch_notes, require_no_glitch
+from pyjoystick.motion import Record, RecordError, glitch_notes, require_no_glitch, uneven_notes
 from pyjoystick.support import FloatArray, angle, positive
 
 Origin = Literal["arc", "middle"]
@@ -166,6 +166,7 @@ def measure_angle(
     )
     notes = [
         *markers.notes,
+        *uneven_notes(markers.time),
         *rest_notes(np.degrees(theta[seen][still])),
         *plane_notes(plane),
         *(base_notes(markers.time, (first + second) / 2.0, arc.radius) if base_motion == "still" else ()),

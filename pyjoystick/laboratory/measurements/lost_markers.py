@@ -1,4 +1,4 @@
-"""Detection of lost markers that a file places at the origin."""
+"""Detection of lost markers that a file places at the origin, or where they were seen last."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ from pyjoystick.support import FloatArray
 
 #: A marker farther from the origin than this many times its longest step between frames did not go there.
 _STEPS_AWAY: Final = 3.0
+#: A marker that repeats its place this many times stays there, if few frames repeat the one before otherwise.
+_FROZEN: Final = 5
+_BY_CHANCE: Final = 0.01
 
 
 def without_lost(markers: Markers) -> Markers:
@@ -35,8 +38,25 @@ def without_lost(markers: Markers) -> Markers:
     residuals = markers.residuals
     if residuals is not None:
         residuals = np.where(lost, np.nan, residuals)
-    notes += _notes(markers, lost)
+    notes += [*_notes(markers, lost), *_frozen(markers, positions)]
     return dataclasses.replace(markers, positions=positions, residuals=residuals, notes=tuple(notes))
+
+
+def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
+    """Note a marker that stays exactly where it is for some frames, but moves or trembles in all others."""
+    for name, path in zip(markers.names, np.moveaxis(positions, 1, 0), strict=True):
+        same = (np.diff(path, axis=0) == 0.0).all(axis=1)
+        edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
+        runs = [(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= _FROZEN]
+        # At rest, markers without noise repeat, too; before and after the motion.
+        inner = [(a, b) for a, b in runs if a > 0 and b < len(same)]
+        outside = np.count_nonzero(same) - sum(b - a for a, b in inner)
+        if inner and outside <= _BY_CHANCE * len(same):
+            frames = markers.rows[np.concatenate([np.arange(a, b + 1) for a, b in inner])]
+            yield (
+                f"marker {name} is at exactly the same place in {len(frames)} frames "
+                f"({rows_in_words(frames.tolist())}): was it lost there?"
+            )
 
 
 def _far_from_origin(path: FloatArray, zero: NDArray[np.bool_]) -> NDArray[np.bool_]:

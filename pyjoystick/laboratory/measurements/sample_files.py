@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import mmap
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -127,7 +128,7 @@ def open_samples(
         _require_rate(path, rate)
     require_whole_end(head)
     _require_width(head)
-    _require_closed_marks(path)
+    _require_closed_marks(head)
     layout = _Layout(head, found[column.name], found.get("time"))
     return SampleFile(path, layout.values.heading.text, layout.values.unit, rate, layout)
 
@@ -144,18 +145,21 @@ def _require_width(head: TableHead) -> None:
             return
 
 
-def _require_closed_marks(path: Path) -> None:
+def _require_closed_marks(head: TableHead) -> None:
     """Reject a quotation mark that pandas would close in a later line, without the rows between."""
-    with path.open("rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+    with head.path.open("rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
         if content.find(b'"') < 0:
             return
         for number, line in enumerate(iter(content.readline, b""), start=1):
-            if line.count(b'"') % 2:
-                reason, advice = (
-                    "has a quotation mark that is not closed",
-                    "remove it, or close it in its row",
-                )
-                raise RecordError(str(path), reason, advice, rows=[number])
+            if b'"' not in line:
+                continue
+            text = line.decode("utf-8", errors="replace").rstrip("\r\n")
+            try:
+                next(csv.reader([text], delimiter=head.delimiter, strict=True))
+            except csv.Error as error:
+                reason = f"has a quotation mark that is not closed ({error})"
+                advice = "remove it, or close it in its row"
+                raise RecordError(str(head.path), reason, advice, rows=[number]) from error
 
 
 def _require_rate(path: Path, rate: float | None) -> None:

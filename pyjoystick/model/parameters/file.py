@@ -22,7 +22,7 @@ from pyjoystick.model.parameters.joystick import (
     JoystickParameters,
     PowerLawDamping,
 )
-from pyjoystick.model.parameters.plausible import require_plausible
+from pyjoystick.model.parameters.plausible import ImplausibleError, require_plausible
 from pyjoystick.model.parameters.springs import ActuatorAssembly, SegmentTable
 from pyjoystick.model.parameters.stops import Stops
 from pyjoystick.support import ParameterError, SettingsError, Table, not_negative, positive, read_toml
@@ -42,6 +42,8 @@ PLAIN_TABLES: Final[Mapping[str, tuple[str, ...]]] = {
     "geometry": ("a", "b", "pivot_to_top"),
 }
 #: Optional keys: all those of [friction] and [stops], which are optional tables, and some others.
+#: What is far more certain than a third of it.
+_SIZES: Final = ("m", "h", "g", "J", "a", "b")
 _OPTIONAL: Final = (
     *("pivot_to_top", "eps_theta", "eps_omega"),
     *(field.name for part in (Friction, Stops) for field in dataclasses.fields(part)),
@@ -176,6 +178,7 @@ class _Found:
                 found[key] = table.number(key)
                 self._ask(table, key, key, found[key])
             if f"u_{key}" in table:
+                self._ask_for_error(table, key, found.get(key, 0.0))
                 self._keep(table, key, f"u_{key}", table.number(f"u_{key}"))
         self._keep_source(table)
         return found
@@ -212,6 +215,14 @@ class _Found:
             group = table.name.partition(".")[0]
             known = f"{group}.{name}" if group in ("damping", "friction", "stops") else name
             require_plausible(known, value, insist=insist)
+
+    def _ask_for_error(self, table: Table, key: str, value: float) -> None:
+        """Reject a standard uncertainty of more than a third of a size, as one in another unit."""
+        error, most = table.number(f"u_{key}"), abs(value) / 3.0
+        if key in _SIZES and error > most > 0.0 and not self.allow_implausible:
+            insist = f"{IMPLAUSIBLE} = true above the tables accepts it"
+            with table.at(f"u_{key}"):
+                raise ImplausibleError(f"u_{key}", error, f"below a third of {key} = {value:g}", insist)
 
     def _keep(self, table: Table, place: str, key: str, value: object) -> None:
         with table.at(key):

@@ -19,7 +19,7 @@ from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.records.glitches import glitch_notes, lone_notes, mixture_notes, require_no_glitch
-from pyjoystick.motion.records.instrument import require_no_jump
+from pyjoystick.motion.records.instrument import require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
@@ -132,6 +132,7 @@ def read_log(
             *counted,
             *other_clocks(table, found),
             *_longest_gap(series["time"][inside], table.file.rows[inside]),
+            *uneven_notes(series["time"][inside]),
         ),
     )
     require_no_jump(record_of(log))  # all of these reject impossible motions

@@ -19,9 +19,10 @@ from typing import Final, Literal
 import numpy as np
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump
+from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import GAP, HIDING, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
+from pyjoystick.support import FloatArray
 
 Side = Literal["forward", "backward"]
 
@@ -35,8 +36,12 @@ GROWTH: Final = 0.1
 _OF_SWING: Final = 0.3
 #: The last swing on the side of release must stay below this part of the release angle.
 DECAYED: Final = 0.9
-#: Times are uneven if steps that are not gaps differ by this part of the usual one.
-UNEVEN: Final = 0.02
+#: The speed at the first sample, from a parabola through at least three samples and this time (s), is noted
+#: above this part of the largest, this many times what noise makes it, and this many samples after a rest.
+_AT_FIRST: Final = 0.02
+_MOVING: Final = 0.25
+_CLEARLY: Final = 5.0
+_JUST: Final = 2.0
 #: Above this part of the release angle the joystick is still held: once free, it never returns there.
 HELD: Final = 0.95
 #: Minimum number of samples at the end of a record that show the rest position.
@@ -71,8 +76,9 @@ def check_free_oscillation(record: Record, *, released: Side | None = None, coun
     _require_decay(record, swings)
     _require_side(record, swings[0], released)
     notes = [
+        *_start(record),
         *_gaps(record, swings, counted=counted),
-        *_unevenness(record),
+        *uneven_notes(record.time),
         *_velocity(record),
         *repeated_angles(record, swings, HELD),
         *_peak_count(record, swings),
@@ -196,15 +202,24 @@ def _shortest_beside(record: Record, swings: Sequence[Swing], i: int) -> float:
     return float(min(beside))
 
 
-def _unevenness(record: Record) -> Iterator[str]:
-    steps = np.diff(record.time)
-    usual = steps[steps <= GAP * record.interval]
-    spread = float(np.ptp(usual)) / record.interval
-    if spread > UNEVEN:
-        yield (
-            f"uneven times: steps from {usual.min():.6g} to {usual.max():.6g} s; if the times are rounded, "
-            "export them with more digits"
-        )
+def _start(record: Record) -> Iterator[str]:
+    """Note that the joystick moves at the first sample, more than two samples after it was at rest."""
+    time = record.time[: max(3, int(np.searchsorted(record.time, record.time[0] + _AT_FIRST)))]
+    inverse = np.linalg.pinv(np.vander(time - time[0], 3, increasing=True))
+    _, velocity, half = inverse @ record.theta[: len(time)]
+    speed = abs(float(velocity))
+    fastest = float(np.max(np.abs(np.diff(record.theta) / np.diff(record.time))))
+    noise = _quietest(record.theta) * float(np.linalg.norm(inverse[1]))
+    is_just_released = velocity * half > 0.0 and speed < _JUST * 2.0 * abs(half) * record.interval
+    if speed > max(_MOVING * fastest, _CLEARLY * noise) and not is_just_released:
+        yield f"the joystick moves at the first sample, at about {speed:.2g} rad/s: was it released before?"
+
+
+def _quietest(theta: FloatArray) -> float:
+    """Standard deviation of the noise (rad) where the angle changes least, from its second differences."""
+    second = np.diff(theta, 2)
+    windows = np.lib.stride_tricks.sliding_window_view(second, min(_REST_SAMPLES, len(second)))
+    return float(windows.std(axis=1).min()) / math.sqrt(6.0)
 
 
 def _velocity(record: Record) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Instrument faults that show in the samples of an angle: counters that wrap, sensors that freeze."""
+"""Instrument faults that show in the samples: counters that wrap, sensors that freeze, rounded times."""
 
 from __future__ import annotations
 
@@ -10,14 +10,17 @@ from typing import Final
 import numpy as np
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.record import Record
+from pyjoystick.motion.records.record import GAP, Record
 from pyjoystick.motion.records.swings import Swing
+from pyjoystick.support import FloatArray
 
 #: A joystick moves at up to 12 rad/s; a step faster than this that
 _FASTEST: Final = 30.0
 #: covers this part of the range of angles, with neighbors below this part of it, is not motion.
 _FAR: Final = 0.5
 _BESIDE: Final = 0.25
+#: Times are uneven if steps that are not gaps differ by this part of the usual one.
+_UNEVEN: Final = 0.02
 #: Number of equal samples that are examined.
 _EQUAL: Final = 3
 #: After equal samples, a step of a true motion is at most four times the resolution, including rounding.
@@ -49,6 +52,18 @@ def require_no_jump(record: Record) -> None:
         rows=record.rows[np.unique(np.concatenate((jumps, jumps + 1)))],
         value=f"{first:+.4g} and {second:+.4g} degrees",
     )
+
+
+def uneven_notes(time: FloatArray) -> Iterator[str]:
+    """Note times (s) whose steps, apart from gaps, differ as after rounding."""
+    steps = np.diff(time)
+    interval = float(np.median(steps)) if steps.size else 0.0
+    usual = steps[steps <= GAP * interval]
+    if usual.size and float(np.ptp(usual)) > _UNEVEN * interval:
+        yield (
+            f"uneven times: steps from {usual.min():.6g} to {usual.max():.6g} s; if the times are rounded, "
+            "export them with more digits"
+        )
 
 
 def repeated_angles(record: Record, swings: Sequence[Swing], held: float) -> Iterator[str]:

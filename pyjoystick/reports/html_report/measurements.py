@@ -36,6 +36,8 @@ from pyjoystick.support import InputFileError, ParameterError
 
 #: Numbers with a smaller relative difference are the same, because files are rounded.
 _ROUNDING = 1e-5
+#: Uncertainties are rounded to two digits.
+_ROUNDED = 0.06
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -249,6 +251,7 @@ def _budget_values(file: ParameterFile, budget: BudgetDocument) -> _Pairs:
     for name, (value, uncertainty) in budget.fitted.items():
         if name in written:
             yield name, written[name], value, uncertainty
+            yield f"u_{name}", _uncertainty(file, name), uncertainty, _ROUNDED * uncertainty
 
 
 def _uncertainty(file: ParameterFile, name: str) -> float:

@@ -22,6 +22,8 @@ _FORMS: Final = "values = [...], or from, to and count, or distribution = ..."
 
 #: Open interval of probabilities for which every quantile is finite.
 _SMALLEST: Final = 2.0**-54
+#: Largest standard deviation of a logarithm.
+_WIDEST: Final = 10.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,8 +179,9 @@ def _distribution(table: Table, variable: Variable) -> Variation:
     if median <= 0.0:
         raise table.error("median", "must be above 0")
     deviation = table.number("log_deviation")
-    if deviation <= 0.0:
-        raise table.error("log_deviation", "must be above 0")
+    if not 0.0 < deviation <= _WIDEST:
+        allowed = f"must be above 0 and at most {_WIDEST:g}, a factor of {math.exp(_WIDEST):.2g}"
+        raise table.error("log_deviation", allowed)
     return LogNormal(median, deviation, max(low, 0.0), high)
 
 

@@ -238,6 +238,8 @@ def test_a_joystick_in_other_units_is_not_run_as_one(
     command: Command, fmus_by_name: Path, tmp_path: Path
 ) -> None:
     def in_mm(text: str) -> str:
+        # One of another maker, whose binary has the same units.
+        text = text.replace('generationTool="pyjoystick', 'generationTool="another')
         return text.replace(
             'start="0.02398" quantity="Length" min="1e-60" unit="m"', 'start="23.98" unit="mm"'
         )

@@ -157,3 +157,15 @@ def test_more_samples_than_anyone_records_are_refused(capsys: pytest.CaptureFixt
     assert main(["design", "--rate", "1e6", "--duration", "100"]) == 1
     told = "--rate = 1000000.0: must be at most 1000000 samples, 10000 Hz for 100 s"
     assert told in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("fmus_by_name")
+@pytest.mark.parametrize(("rate", "is_noted"), [("60", True), ("1000", False)])
+def test_a_torque_between_the_samples_is_noted(
+    rate: str, is_noted: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    taps = [f"{k / 1000},{4.0 * (k % 200 in range(101, 131))}" for k in range(601)]
+    file = tmp_path / "taps.csv"
+    file.write_text("\n".join(["time (s),T (Nm)", *taps, ""]))
+    assert main(["design", "--torque", str(file), "--rate", rate]) == 0
+    assert ("choose one that resolves it" in capsys.readouterr().err) is is_noted

@@ -57,6 +57,12 @@ def test_more_than_two_rows_of_one_time_are_refused(tmp_path: Path, joystick: Fm
         read_inputs(_file(tmp_path, "time (s),T\n0,1\n0.5,2\n0.5,3\n0.5,4\n"), joystick)
 
 
+@pytest.mark.parametrize(("unit", "value"), [("Nm", 2.0), ("N·m", 2.0), ("mN.m", 2e-3), ("N cm", 2e-2)])
+def test_usual_units_of_an_input(unit: str, value: float, tmp_path: Path, joystick: FmuDescription) -> None:
+    table = read_inputs(_file(tmp_path, f"time (s),T ({unit})\n0,2\n1,2\n"), joystick)
+    assert table["T"].tolist() == pytest.approx([value, value], rel=1e-15)
+
+
 def test_two_columns_for_one_input_are_refused(tmp_path: Path, joystick: FmuDescription) -> None:
     with pytest.raises(RecordError, match=r"row 1: has two columns for the input T: 'T \(N\.m\)' and 'T'"):
         read_inputs(_file(tmp_path, "time (s),T (N.m),T\n0,1,0\n1,2,0\n"), joystick)

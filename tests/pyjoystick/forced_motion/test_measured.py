@@ -93,9 +93,12 @@ def test_bad_files(tmp_path: Path) -> None:
         read_motion(path, columns={"alpha": "acceleration"})
     with pytest.raises(RecordError, match="cannot be read"):
         read_motion(tmp_path / "nowhere.csv")
-    short = _csv(tmp_path / "short.csv", "time (s),theta (rad)", (FRAMES[:3], at.theta[:3]))
+    short = _csv(tmp_path / "short.csv", "time (s),theta (rad)", (FRAMES[:3], at.theta[20:23]))
     with pytest.raises(SeriesError, match="at least 4 are needed"):
         read_motion(short)
+    nothing = _csv(tmp_path / "zero.csv", "time (s),theta (rad)", (FRAMES, 0.0 * at.theta))
+    with pytest.raises(RecordError, match="column 'theta': is zero throughout"):
+        read_motion(nothing)
 
 
 @pytest.mark.parametrize("factor", [-1.0, 10.0, 0.0])
@@ -105,3 +108,22 @@ def test_an_acceleration_that_is_not_that_of_the_velocity_is_refused(factor: flo
     path = _csv(tmp_path / "m.csv", "time (s),theta (rad),omega (rad/s),alpha (rad/s2)", columns)
     with pytest.raises(RecordError, match=r"column 'alpha', rows 2, 80: is not the rate of omega"):
         read_motion(path)
+
+
+def test_an_acceleration_that_is_late_or_wrong_for_a_moment_is_noted(tmp_path: Path) -> None:
+    at = MOTION.at(FRAMES)
+
+    def notes(alpha: np.ndarray) -> tuple[str, ...]:
+        path = _csv(
+            tmp_path / "m.csv",
+            "time (s),theta (rad),omega (rad/s),alpha (rad/s2)",
+            (FRAMES, at.theta, at.omega, alpha),
+        )
+        return read_motion(path).notes
+
+    before = notes(at.alpha)
+    (late,) = set(notes(np.roll(at.alpha, 2))) - set(before)
+    assert late.startswith("the integral of alpha does not follow omega")
+    wrong = at.alpha.copy()
+    wrong[30] = 10.0 * np.abs(wrong).max()
+    assert any(note.startswith("alpha is") and "row 32" in note for note in notes(wrong))

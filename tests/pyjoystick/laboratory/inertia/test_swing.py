@@ -243,3 +243,10 @@ def _passages(record: Record) -> FloatArray:
 def test_a_reading_of_another_number_of_swings_is_refused() -> None:
     with pytest.raises(ParameterError, match=r"readings = from 8.03 to 8.81 s: .*miscounted"):
         period_of_readings([8.03, 8.07, 8.81], 10, Measured(0.1, 0.01))
+
+
+def test_swings_that_are_too_fast_for_their_body_are_refused() -> None:
+    """J about the pivot is at least m h^2; here 20 half swings were counted as swings."""
+    period = period_of_readings([8.03], 20, Measured(0.1, 0.01)).period
+    with pytest.raises(ParameterError, match=r"J = 0\.0028.* at least m h\^2 = 0\.00585"):
+        inertia_of_swing(period, Measured(0.87), Measured(0.082), Measured(9.81))

@@ -63,4 +63,7 @@ def test_a_marker_that_is_nowhere_else_is_noted(tmp_path: Path) -> None:
     points[LOST, 0] = points[57, 0]
     points[:, 1] = 0.0
     markers = read_markers(write(tmp_path / "a.csv", plain_text(TIME, points)))
-    assert markers.notes == ("marker BASE1 is at 0, 0, 0 wherever it is seen: was it lost in every frame?",)
+    assert markers.notes == (
+        "marker BASE1 is at 0, 0, 0 wherever it is seen: was it lost in every frame?",
+        "marker TOP is at exactly the same place in 8 frames (rows 52-59): was it lost there?",
+    )

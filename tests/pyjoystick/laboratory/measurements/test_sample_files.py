@@ -200,3 +200,10 @@ def test_a_quotation_mark_does_not_swallow_samples(tmp_path: Path) -> None:
         tmp_path / "a.csv", _text([row.replace('"start', "start") for row in rows[:4]], "signal (V),note")
     )
     assert sum(len(piece.values) for piece in open_samples(path, VOLTS, rate=50.0).pieces()) == 4
+
+
+def test_marks_that_open_and_close_in_one_row_may_swallow_others(tmp_path: Path) -> None:
+    rows = ["0.5,", '1.5,"start" of "it', "2.5,", '3.5,""', '4.5,"a" and "b']
+    path = write(tmp_path / "a.csv", _text(rows, "signal (V),note"))
+    with pytest.raises(RecordError, match=r"row 4: has a quotation mark that is not closed"):
+        open_samples(path, VOLTS, rate=50.0)

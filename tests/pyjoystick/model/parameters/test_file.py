@@ -101,6 +101,7 @@ def test_what_may_be_left_out(file: Path) -> None:
             "[body] M: is not a known key (known are m, u_m, h, u_h, J, u_J, source)",
         ),
         ("m = 0.87 ", "m = 0.87\nu_m = -1 ", "[body] u_m = -1: must be a finite number, 0 or more"),
+        ("m = 0.87 ", "m = 0.87\nu_m = 1.3 ", "[body] u_m = 1.3: must be below a third of m = 0.87"),
         ("b = 0.0050 ", "b = 0.03 ", "[geometry] b = 0.03: must be below a = 0.02398 m"),
         (
             "pivot_to_top = 0.266",

@@ -335,3 +335,9 @@ def test_an_angle_that_jumps_is_refused_in_any_record(tmp_path: Path) -> None:
     file = written(tmp_path / "record.csv", text(("time (s)", "theta (deg)"), TIME, angle))
     with pytest.raises(RecordError, match=r"rows 61-62: the angle jumps by 29"):
         read_record(file, free_oscillation=False)
+
+
+def test_rounded_times_are_noted(tmp_path: Path) -> None:
+    times = np.round(TIME * 250.0 / 60.0, 2)
+    (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], times, ANGLE))).notes
+    assert note.startswith("uneven times: steps from 0.01 to 0.02 s; if the times are rounded, export them")

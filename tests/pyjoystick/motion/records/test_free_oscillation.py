@@ -209,3 +209,11 @@ def test_a_velocity_that_is_somewhat_off_is_flagged() -> None:
     notes = check_free_oscillation(Record("made", time, np.radians(theta), 1.25 * omega)).notes
     assert len(notes) == 1
     assert "times as fast as the measured velocity" in notes[0]
+
+
+@pytest.mark.parametrize(
+    ("lost", "is_noted"), [(0, False), (HOLD, False), (HOLD + 1, False), (HOLD + 4, True)]
+)
+def test_a_record_that_begins_after_the_release_is_noted(lost: int, is_noted: bool) -> None:
+    checked = check_free_oscillation(_record().between(lost / RATE - 1e-9))
+    assert any("moves at the first sample" in note for note in checked.notes) is is_noted
