@@ -7,6 +7,7 @@ import math
 import mmap
 import os
 import pickle
+import select
 import signal
 import subprocess
 import sys
@@ -113,7 +114,7 @@ class OwnProcess:
         """
         self._place[[RUN, SAMPLES]], self._place[POINT] = 0, BETWEEN_RUNS
         if self.runs:
-            self._printed = b""  # by earlier runs
+            self._forget_printed()
         try:
             self._send((name, arguments))
             answer = self._wait(time_limit, is_stopped)
@@ -124,6 +125,18 @@ class OwnProcess:
         if not is_good:
             raise value
         return value
+
+    def _forget_printed(self) -> None:
+        """Forget what earlier runs printed, also what is still on its way."""
+        assert self._process.stderr is not None
+        end = clock.monotonic() + _GRACE
+        while os.name == "posix" and select.select([self._process.stderr], [], [], 0.0)[0]:
+            if clock.monotonic() > end:
+                break
+            clock.sleep(1e-3)
+        if self._printed:
+            clock.sleep(1e-3)  # for the thread that listens to keep what it has read
+        self._printed = b""
 
     def close(self) -> None:
         """End the process; may be called more than once."""
