@@ -11,7 +11,8 @@
 # make fmu-msl  FMUs of the examples that need the Modelica Standard Library, in build/msl/; skipped where MODELICAPATH
 #             does not lead to it
 # make ssp    operator and joystick as one system: build/joystick.ssp
-# make fuzz  random FMI calls (with clang), damaged files and tables, random models, SECONDS=60 in all; corpora in build/fuzz/
+# make fuzz  random FMI calls (with clang), damaged files and tables, random models, SECONDS=60 in all; corpora in
+#             build/fuzz/
 # make lint   ruff, mypy, the C compilers with every warning an error, the Modelica checks
 # make lint-js  the JavaScript of the pages by Biome, which npm gets; skipped where it cannot, which with CI=true is
 #             an error

@@ -25,8 +25,6 @@ Examples:
 
 The cycle begins before contact, with travel zero in the middle position, and goes out and back slowly.
 """
-#: Number of segments of the two springs of one side.
-_OF_ACTUATOR: Final = 4
 
 
 def run(
@@ -43,7 +41,7 @@ def run(
             "(F_c). The testing machine must have none of its own.",
         ),
     ] = False,
-    segments: Annotated[int, typer.Option(min=1, max=12, help="Number of straight segments.")] = _OF_ACTUATOR,
+    segments: Annotated[int, typer.Option(min=1, max=12, help="Number of straight segments.")] = 4,
     columns: Annotated[list[str] | None, options.column("travel or force")] = None,
     units: options.Units = None,
     travel_noise: Annotated[
@@ -74,7 +72,7 @@ def run(
         raise typer.BadParameter("give --side and --parameters together")
     if friction and parameters is None:
         raise typer.BadParameter("needs --parameters, the file to save it in", param_hint="--friction")
-    if parameters is not None and segments != _OF_ACTUATOR:
+    if parameters is not None and segments != 4:
         raise typer.BadParameter("a parameter file has four segments per side", param_hint="--segments")
     require_plausible(
         {"travel_noise": travel_noise or 0.0, "force_noise": force_noise or 0.0},
@@ -85,11 +83,8 @@ def run(
     before = file_to_update(parameters)
     curve = laboratory.read_load_curve(file, **parsing.parse_headings(columns, units), layout=layout)
     fit = laboratory.fit_load_curve(curve, segments, travel_noise=travel_noise, force_noise=force_noise)
-    if segments == _OF_ACTUATOR:
-        require_plausible(
-            {name: value for name, (value, _) in fit.springs().items()},
-            options={name: f"{file}: {name}" for name in fit.springs()},
-        )
+    springs = {name: value for name, (value, _) in fit.springs().items()} if fit.has_springs else {}
+    require_plausible(springs, options={name: f"{file}: {name}" for name in springs})
     print_warnings(file, fit.notes)
     output().print(laboratory.load_curve_report(fit), markup=False)
     title = f"Load-deflection curve, {file.name}"

@@ -31,6 +31,9 @@ Hang the joystick upside down, clear of its springs, and let it swing about its 
 #: Quantities on which the moment of inertia depends, with their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
 _UNITS: Final = {"m": "kg", "h": "m", "g": "m/s2"}
+#: Defaults for stopwatch readings.
+_SWINGS: Final = 1
+_UNCERTAINTY: Final = "1deg"
 #: Largest radius of gyration of a joystick (m).
 _FARTHEST: Final = 1.0
 
@@ -44,7 +47,7 @@ def run(
         typer.Option("--time", metavar="SECONDS", help="Stopwatch reading; repeatable."),
     ] = None,
     swings: Annotated[
-        int | None, typer.Option(min=1, help="Number of full swings per reading.", show_default="1")
+        int | None, typer.Option(min=1, help="Number of full swings per reading.", show_default=str(_SWINGS))
     ] = None,
     amplitude: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Amplitude at the start of a reading, such as 10deg.")
@@ -55,7 +58,9 @@ def run(
     ] = None,
     amplitude_uncertainty: Annotated[
         str | None,
-        typer.Option(metavar="ANGLE", help="Standard uncertainty of the amplitudes.", show_default="1deg"),
+        typer.Option(
+            metavar="ANGLE", help="Standard uncertainty of the amplitudes.", show_default=_UNCERTAINTY
+        ),
     ] = None,
     reaction_time: Annotated[
         float | None,
@@ -86,7 +91,12 @@ def run(
         period = laboratory.period_of_record(motion.read_record(record, free_oscillation=False))
     else:
         period = _of_readings(
-            times or [], swings or 1, amplitude, end_amplitude, amplitude_uncertainty or "1deg", reaction_time
+            times or [],
+            swings or _SWINGS,
+            amplitude,
+            end_amplitude,
+            amplitude_uncertainty or _UNCERTAINTY,
+            reaction_time,
         )
     found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])
     require_plausible({"J": found.value})
@@ -110,8 +120,8 @@ def _require_compact(inertia: float, mass: float) -> None:
     """Reject a J (kg m2) for which most of the mass (kg) would be farther from the pivot than 1 m."""
     radius = math.sqrt(inertia / mass)
     if radius > _FARTHEST and not invocation.implausible:
-        allowed = f"a radius of gyration below {_FARTHEST:g} m, not {radius:.3g} m: how many --swings?"
-        raise model.ImplausibleError("J", inertia, allowed)
+        allowed = f"below {_FARTHEST:g} m, as a joystick's is"
+        raise model.ImplausibleError("radius of gyration", radius, allowed, "how many --swings?")
 
 
 def _known(

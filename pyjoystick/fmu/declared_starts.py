@@ -28,7 +28,7 @@ def contradiction(instance: Instance) -> str:
         if one.causality == "parameter" and one.type in NUMBERS and one.start and not one.is_array
     ]
     try:
-        instance.begin_initialization(0.0, 1e-6)
+        instance.begin_initialization(0.0, 1e-6, {})
         values = instance.get(declared)
     except FMICallException:
         return ""  # a run will say why

@@ -10,7 +10,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from ctypes import c_void_p
 from dataclasses import dataclass, field
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -97,9 +96,7 @@ class Instance:
         self.begin_initialization(time, tolerance, values)
         self.fmi.exitInitializationMode()
 
-    def begin_initialization(
-        self, time: float, tolerance: float, values: Mapping[str, Value] = MappingProxyType({})
-    ) -> None:
+    def begin_initialization(self, time: float, tolerance: float, values: Mapping[str, Value]) -> None:
         """Enter the initialization mode; arguments as for `initialize`."""
         if not self.is_new:
             self.fmi.reset()

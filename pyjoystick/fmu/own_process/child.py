@@ -15,6 +15,7 @@ import traceback
 from queue import SimpleQueue
 from typing import BinaryIO
 
+from pyjoystick.fmu.own_process.process import NEW_REQUEST
 from pyjoystick.fmu.own_process.service import Service
 from pyjoystick.support import PyJoystickError
 
@@ -35,6 +36,7 @@ def main(place_file: str) -> None:
     service = Service(place_file)
     while True:
         name, arguments = waiting.get()
+        os.write(2, NEW_REQUEST)
         try:
             answer = True, getattr(service, name)(*arguments)
         except BaseException as error:

@@ -7,7 +7,6 @@ import math
 import mmap
 import os
 import pickle
-import select
 import signal
 import subprocess
 import sys
@@ -34,6 +33,8 @@ _INTERVAL: Final = 0.05
 _GRACE: Final = 0.3
 #: Size of the kept part of the FMU's output, at its end (bytes).
 _KEPT: Final = 2000
+#: The child prints this before each request, which separates the output of the FMU's runs.
+NEW_REQUEST: Final = b"\0request\0"
 _CODE: Final = "import sys; sys.path[:] = {path!r}; from {module} import main; main({place!r})"
 #: Named, not imported, because the module loads what the parent does not need.
 _CHILD: Final = "pyjoystick.fmu.own_process.child"
@@ -113,8 +114,6 @@ class OwnProcess:
             Exception: any exception that the method raises
         """
         self._place[[RUN, SAMPLES]], self._place[POINT] = 0, BETWEEN_RUNS
-        if self.runs:
-            self._forget_printed()
         try:
             self._send((name, arguments))
             answer = self._wait(time_limit, is_stopped)
@@ -125,18 +124,6 @@ class OwnProcess:
         if not is_good:
             raise value
         return value
-
-    def _forget_printed(self) -> None:
-        """Forget what earlier runs printed, also what is still on its way."""
-        assert self._process.stderr is not None
-        end = clock.monotonic() + _GRACE
-        while os.name == "posix" and select.select([self._process.stderr], [], [], 0.0)[0]:
-            if clock.monotonic() > end:
-                break
-            clock.sleep(1e-3)
-        if self._printed:
-            clock.sleep(1e-3)  # for the thread that listens to keep what it has read
-        self._printed = b""
 
     def close(self) -> None:
         """End the process; may be called more than once."""
@@ -200,7 +187,7 @@ class OwnProcess:
             by = f"was ended by {names[code]}" if code in names else f"ended with exit code {code}"
             reason = f"its process {by}"
         self._readers[1].join(_GRACE)
-        printed = self._printed.decode(errors="replace").strip()
+        printed = self._printed.rpartition(NEW_REQUEST)[2].decode(errors="replace").strip()
         return f"{reason}; it printed last: {printed}" if printed else reason
 
     def _read(self) -> None:

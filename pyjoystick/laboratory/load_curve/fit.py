@@ -83,6 +83,11 @@ class LoadCurveFit(Drawn):
         return float(np.sqrt(self.covariance[-2, -2]))
 
     @property
+    def has_springs(self) -> bool:
+        """Whether it has the four segments of the two springs of one side."""
+        return len(self.table.x) == _SEGMENTS
+
+    @property
     def assembly(self) -> ActuatorAssembly:
         """The return and the balance spring.
 
@@ -93,7 +98,7 @@ class LoadCurveFit(Drawn):
         try:
             return ActuatorAssembly.from_table(self.table.x, self.table.k)
         except ParameterError as error:
-            if len(self.table.x) != _SEGMENTS:
+            if not self.has_springs:
                 raise
             reason = f"its four segments are not those of two preloaded springs: {error}"
             advice = (

@@ -15,8 +15,6 @@ from pyjoystick.support import TextTable, document_text
 #: Half width of a 95 % interval in standard errors.
 _SIGMAS: Final = 1.96
 _GRID: Final = 5000
-#: Number of segments of an actuator with two springs.
-_OF_ACTUATOR: Final = 4
 _SI_UNITS: Final = {"k_s": "N/m", "k_h": "N/m", "F_0": "N", "x_0": "m"}
 _UNITS: Final = {"k_s": ("N/m", 1.0), "k_h": ("N/m", 1.0), "F_0": ("N", 1.0), "x_0": ("mm", 1e3)}
 
@@ -28,7 +26,7 @@ def load_curve_report(fit: LoadCurveFit) -> str:
         rows.append(_row(f"x_{i}", "mm", 1e3 * value, 1e3 * float(error)))
     for i, (value, error) in enumerate(zip(fit.table.k, fit.k_errors, strict=True)):
         rows.append(_row(f"k_{i}", "N/m", value, float(error)))
-    if len(fit.table.x) == _OF_ACTUATOR:
+    if fit.has_springs:
         for name, (value, error) in fit.springs().items():
             unit, factor = _UNITS[name.split(".")[1]]
             rows.append(_row(name, unit, factor * value, factor * error))
@@ -73,7 +71,7 @@ def load_curve_json(fit: LoadCurveFit, side: Side | None = None, notes: Sequence
                 "unit": _SI_UNITS[name.split(".")[1]],
                 "standard_error": error,
             }
-            for name, (value, error) in (fit.springs() if len(fit.table.x) == _OF_ACTUATOR else {}).items()
+            for name, (value, error) in (fit.springs() if fit.has_springs else {}).items()
         ],
         "friction": {"value": fit.friction, "standard_error": fit.friction_error} if with_unloading else None,
         "hysteresis_work": hysteresis_work(fit),

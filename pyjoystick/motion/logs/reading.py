@@ -18,7 +18,7 @@ from pyjoystick.motion.logs.headings import last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.glitches import glitch_notes, lone_notes, mixture_notes, require_no_glitch
+from pyjoystick.motion.records.glitches import doubts, lone_notes
 from pyjoystick.motion.records.instrument import require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
 from pyjoystick.motion.units import UNITS
@@ -136,17 +136,12 @@ def read_log(
         ),
     )
     require_no_jump(record_of(log))  # all of these reject impossible motions
-    require_no_glitch(
-        str(path),
-        *motion,
-        question="is a sample wrong there?",
-        advice="empty the angle's cell in that row; rows without a number are left out",
-    )
-    doubts = [*mixture_notes(motion[1])] or [*glitch_notes(*motion, question="are these samples wrong?")]
+    advice = "empty the angle's cell in that row; rows without a number are left out"
+    notes = doubts(str(path), *motion, advice)
     for name, match in found.items():
         if name not in ("time", "theta"):
-            doubts += lone_notes(repr(table.heading(match).text), log.series[name], log.rows)
-    return replace(log, notes=(*log.notes, *doubts))
+            notes += lone_notes(repr(table.heading(match).text), log.series[name], log.rows)
+    return replace(log, notes=(*log.notes, *notes))
 
 
 def _require_duration(table: LogTable, found: Mapping[str, Match], time: FloatArray) -> None:

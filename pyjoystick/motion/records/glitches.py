@@ -105,6 +105,18 @@ def mixture_notes(theta: FloatArray) -> Iterator[str]:
         yield f"the angle turns back at {count} samples in succession: do two angles alternate in one column?"
 
 
+def doubts(
+    source: str, time: FloatArray, theta: FloatArray, rows: NDArray[np.int64], advice: str
+) -> list[str]:
+    """Notes on an angle that alternates or leaves the motion; one that jumps is an error.
+
+    Args and errors are those of `require_no_glitch`.
+    """
+    motion = time, theta, rows
+    require_no_glitch(source, *motion, question="is a sample wrong there?", advice=advice)
+    return [*mixture_notes(theta)] or [*glitch_notes(*motion, question="are these samples wrong?")]
+
+
 def lone_notes(what: str, values: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
     """Note a few samples that are farther outside the range of all others than this is wide.
 

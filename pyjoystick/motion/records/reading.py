@@ -15,7 +15,7 @@ from pyjoystick.motion.columns import TIME, Column
 from pyjoystick.motion.logs.log_table import read_log_table
 from pyjoystick.motion.records.errors import RecordError
 from pyjoystick.motion.records.free_oscillation import Side, check_free_oscillation
-from pyjoystick.motion.records.glitches import glitch_notes, lone_notes, mixture_notes, require_no_glitch
+from pyjoystick.motion.records.glitches import doubts, lone_notes
 from pyjoystick.motion.records.record import MISSING_ADVICE, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.motion.units import UNITS
@@ -80,18 +80,11 @@ def read_record(
     )
     if free_oscillation:
         record = check_free_oscillation(record, released=released, counted=counted)
-    return _without_glitch(record)
-
-
-def _without_glitch(record: Record) -> Record:
-    """Reject a record whose angle jumps; note samples that leave those around them."""
-    motion = record.time, record.theta, record.rows
     advice = "correct the angle in that row, or delete the row"
-    require_no_glitch(record.source, *motion, question="is a sample wrong there?", advice=advice)
-    doubts = [*mixture_notes(record.theta)] or [*glitch_notes(*motion, question="are these samples wrong?")]
+    notes = doubts(record.source, record.time, record.theta, record.rows, advice)
     if record.omega is not None:
-        doubts += lone_notes("omega", record.omega, record.rows)
-    return record.with_notes(*doubts)
+        notes += lone_notes("omega", record.omega, record.rows)
+    return record.with_notes(*notes)
 
 
 def read_repeats(

@@ -44,7 +44,6 @@ _FACTORS: Final = {
     "°": math.pi / 180.0,
     "rad/s": 1.0,
     "deg/s": math.pi / 180.0,
-    "N.m": 1.0,
     "mm": 1e-3,
     "m/s2": 1.0,
     "N": 1.0,
