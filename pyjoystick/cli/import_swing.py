@@ -121,7 +121,7 @@ def _require_compact(inertia: float, mass: float) -> None:
     radius = math.sqrt(inertia / mass)
     if radius > _FARTHEST and not invocation.implausible:
         allowed = f"below {_FARTHEST:g} m, as a joystick's is"
-        raise model.ImplausibleError("radius of gyration", radius, allowed, "how many --swings?")
+        raise model.ImplausibleError("radius of gyration", round(radius, 3), allowed, "how many --swings?")
 
 
 def _known(

@@ -34,8 +34,10 @@ from pyjoystick.motion import (
 )
 from pyjoystick.support import FloatArray
 
-#: Least correlation of the velocity with the integral of the acceleration.
-_ALIKE: Final = 0.98
+#: Longest delay of an acceleration that is looked for (s), and the part of the mean square between velocity
+#: and integral that its removal must leave at most.
+_LATEST: Final = 0.1
+_BETTER: Final = 0.5
 _ALPHA: Final = Column("alpha", UNITS["angular acceleration"], required=False, advice=MISSING_ADVICE)
 
 
@@ -108,13 +110,23 @@ def through_chain(record: Record, chain: Chain) -> Samples:
 
 
 def _shifted(time: FloatArray, omega: FloatArray, alpha: FloatArray) -> Iterator[str]:
-    """Note an acceleration whose integral does not follow the velocity, as one that is late."""
-    whole = np.concatenate(([0.0], np.cumsum(0.5 * (alpha[1:] + alpha[:-1]) * np.diff(time))))
-    # An offset of the acceleration is a drift of the integral.
-    left = [one - np.polyval(np.polyfit(time, one, 1), time) for one in (omega, whole)]
-    sizes = [float(np.linalg.norm(one)) for one in left]
-    if min(sizes) > 0.0 and float(left[0] @ left[1]) < _ALIKE * sizes[0] * sizes[1]:
-        yield "the integral of alpha does not follow omega: is it filtered otherwise, or late?"
+    """Note an acceleration that is late or early: its integral follows the velocity when it is moved."""
+    step = float(np.median(np.diff(time)))
+    most = min(int(_LATEST / step), len(time) // 4)
+    integral = np.concatenate(([0.0], np.cumsum(0.5 * (alpha[1:] + alpha[:-1]) * np.diff(time))))
+    # An offset of the acceleration is a drift of its integral.
+    velocity, integral = (one - np.polyval(np.polyfit(time, one, 1), time) for one in (omega, integral))
+    missed = {lag: _apart(velocity, integral, lag) for lag in range(-most, most + 1)}
+    lag = min(missed, key=missed.__getitem__)
+    if abs(lag) > 1 and missed[lag] < _BETTER * missed[0]:
+        where = f"{1e3 * abs(lag) * step:.3g} ms {'late' if lag > 0 else 'early'}"
+        yield f"alpha seems to be {where} beside omega: is it filtered otherwise?"
+
+
+def _apart(velocity: FloatArray, integral: FloatArray, lag: int) -> float:
+    """Mean square of the difference if the integral is `lag` samples late."""
+    count, first, second = len(velocity) - abs(lag), max(-lag, 0), max(lag, 0)
+    return float(np.mean((velocity[first : first + count] - integral[second : second + count]) ** 2))
 
 
 def _require_no_gap(record: Record) -> None:

@@ -43,13 +43,18 @@ def without_lost(markers: Markers) -> Markers:
 
 
 def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
-    """Note a marker that stays exactly where it is for some frames, but moves or trembles in all others."""
-    for name, path in zip(markers.names, np.moveaxis(positions, 1, 0), strict=True):
-        same = (np.diff(path, axis=0) == 0.0).all(axis=1)
+    """Note a marker that stays exactly where it is for some frames, but moves or trembles in all others.
+
+    Where the other markers do not move either, it is at rest.
+    """
+    still = (np.diff(positions, axis=0) == 0.0).all(axis=2)
+    for i, name in enumerate(markers.names):
+        path, same = positions[:, i], still[:, i] & ~np.delete(still, i, axis=1).all(axis=1)
         edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
         runs = [(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= _FROZEN]
-        # At rest, markers without noise repeat, too; before and after the motion.
-        inner = [(a, b) for a, b in runs if a > 0 and b < len(same)]
+        inner = [
+            (a, b) for a, b in runs if a > 0 and b < len(same) and not unseen(path[[a - 1, b + 1]]).any()
+        ]
         outside = np.count_nonzero(same) - sum(b - a for a, b in inner)
         if inner and outside <= _BY_CHANCE * len(same):
             frames = markers.rows[np.concatenate([np.arange(a, b + 1) for a, b in inner])]

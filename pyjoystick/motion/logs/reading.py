@@ -18,9 +18,11 @@ from pyjoystick.motion.logs.headings import last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.free_oscillation import HELD
 from pyjoystick.motion.records.glitches import doubts, lone_notes
-from pyjoystick.motion.records.instrument import require_no_jump, uneven_notes
+from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
+from pyjoystick.motion.records.swings import THRESHOLD, find_swings
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -135,12 +137,12 @@ def read_log(
             *uneven_notes(series["time"][inside]),
         ),
     )
-    require_no_jump(record_of(log))  # all of these reject impossible motions
+    record = record_of(log)
+    require_no_jump(record)  # all of these reject impossible motions
     advice = "empty the angle's cell in that row; rows without a number are left out"
-    notes = doubts(str(path), *motion, advice)
-    for name, match in found.items():
-        if name not in ("time", "theta"):
-            notes += lone_notes(repr(table.heading(match).text), log.series[name], log.rows)
+    notes = [*doubts(str(path), *motion, advice), *_repeated(record)]
+    if "omega" in found:  # a torque or force may well be a tap
+        notes += lone_notes(repr(table.heading(found["omega"]).text), log.series["omega"], log.rows)
     return replace(log, notes=(*log.notes, *notes))
 
 
@@ -197,6 +199,14 @@ def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
         i = int(np.argmax(steps))
         count = "a gap" if gaps == 1 else f"{gaps} gaps, the longest"
         yield f"{count} of {steps[i]:.4g} s between rows {rows[i]} and {rows[i + 1]}: one record a file?"
+
+
+def _repeated(record: Record) -> Iterator[str]:
+    """Note angles that stay exactly the same within a motion from side to side."""
+    largest = float(np.max(np.abs(record.theta)))
+    swings = find_swings(record.theta, THRESHOLD * largest) if largest > 0.0 else []
+    if len(swings) > 1:
+        yield from repeated_angles(record, swings, HELD)
 
 
 def record_of(log: Log) -> Record:

@@ -4,9 +4,9 @@ Anything that would make later results wrong or meaningless is an error (`Record
 few peaks for a line through them, a motion that does not decay or grows again (a second release), a gap that
 may hide a peak (all later peaks would be miscounted), the wrong side of release, a velocity that is not that
 of the angle, an angle that jumps like a counter that wraps around. Less serious findings are added to the
-notes of the record, one sentence each: a motion at the first sample, shorter gaps, uneven times, fewer peaks than eq. (12) compares, swings
-of few samples, samples that repeat while the joystick moves, angles beyond the stops, a zero of the angle
-that is not the rest position. Nothing is repaired.
+notes of the record, one sentence each: a motion at the first sample, shorter gaps, uneven times, fewer peaks
+than eq. (12) compares, swings of few samples, samples that repeat while the joystick moves, angles beyond the
+stops, a zero of the angle that is not the rest position. Nothing is repaired.
 """
 
 from __future__ import annotations

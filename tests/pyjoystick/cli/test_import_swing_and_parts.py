@@ -89,7 +89,8 @@ def test_a_time_that_no_swing_takes_is_refused(command: Command, time: str) -> N
 def test_forgotten_swings_and_options_without_effect_are_refused(command: Command, tmp_path: Path) -> None:
     outcome = command("import", "swing", "--time", "8.03", "--amplitude", "10deg")
     assert outcome.code != 0
-    assert "radius of gyration = 1.14" in outcome.err
+    told = "radius of gyration = 1.144: must be below 1 m, as a joystick's is (how many --swings?)"
+    assert told in outcome.err
     for option in (("--swings", "10"), ("--amplitude", "10deg"), ("--reaction-time", "0.1")):
         outcome = command("import", "swing", "pendulum.csv", *option)
         assert outcome.code == 2

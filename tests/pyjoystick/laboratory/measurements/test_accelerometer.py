@@ -149,6 +149,9 @@ def test_units_of_the_readings(tmp_path: Path, unit: str, sensitivity: float | N
     file = write(tmp_path / "a.csv", _csv(SERIES, "acceleration"))
     found = read_accelerometer(file, unit=unit, sensitivity=sensitivity)
     np.testing.assert_allclose(found.acceleration, SERIES * factor, atol=1e-8 * factor)
+    if sensitivity is None:
+        with pytest.raises(RecordError, match=rf"is in {unit}, not in volts; leave the sensitivity out"):
+            read_accelerometer(file, unit=unit, sensitivity=0.02)
 
 
 def test_the_rate_of_rounded_times_is_their_mean(tmp_path: Path) -> None:

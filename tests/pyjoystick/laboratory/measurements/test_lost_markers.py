@@ -67,3 +67,15 @@ def test_a_marker_that_is_nowhere_else_is_noted(tmp_path: Path) -> None:
         "marker BASE1 is at 0, 0, 0 wherever it is seen: was it lost in every frame?",
         "marker TOP is at exactly the same place in 8 frames (rows 52-59): was it lost there?",
     )
+
+
+@pytest.mark.parametrize("digits", [1, 6])
+def test_markers_at_rest_are_not_lost(digits: int, tmp_path: Path) -> None:
+    """Constant base markers that are not seen at first and at last, and a rest between two motions."""
+    theta = swing(TIME)
+    theta[60:120] = theta[60]
+    top = np.column_stack((280.0 * np.sin(theta), 0.0 * theta, 280.0 * np.cos(theta)))
+    base = [np.broadcast_to([0.0, side, -100.0], top.shape) for side in (-50.0, 50.0)]
+    points = np.round(np.stack((top, *base), axis=1) + 400.0, digits)
+    points[[0, -1], 1:] = np.nan
+    assert read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes == ()

@@ -315,11 +315,7 @@ def test_a_last_row_with_another_delimiter(encoding: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("value", [91.0, -40.0])
-def test_a_velocity_or_torque_far_outside_is_noted(value: float, tmp_path: Path) -> None:
-    torque = TORQUE.copy()
-    torque[60] = value
-    (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:3], TIME, ANGLE, torque))).notes
-    assert note == f"'torque (N.m)' is {value:g}, far outside all other samples (row 62): is it wrong?"
+def test_a_velocity_far_outside_is_noted(value: float, tmp_path: Path) -> None:
     omega = np.gradient(np.radians(ANGLE), TIME)
     omega[60] = value
     file = written(
@@ -327,6 +323,12 @@ def test_a_velocity_or_torque_far_outside_is_noted(value: float, tmp_path: Path)
     )
     notes = read_record(file, free_oscillation=False).notes
     assert notes == (f"omega is {value:g}, far outside all other samples (row 62): is it wrong?",)
+    assert read_log(file).notes == (notes[0].replace("omega", "'omega (rad/s)'"),)
+
+
+def test_taps_of_a_torque_are_not_wrong(tmp_path: Path) -> None:
+    taps = np.where(np.arange(COUNT) == 60, 3.0, 0.0) + 0.01 * np.sin(np.arange(COUNT))
+    assert read_log(written(tmp_path / "log.csv", text(HEADINGS[:3], TIME, ANGLE, taps))).notes == ()
 
 
 def test_an_angle_that_jumps_is_refused_in_any_record(tmp_path: Path) -> None:
@@ -341,3 +343,11 @@ def test_rounded_times_are_noted(tmp_path: Path) -> None:
     times = np.round(TIME * 250.0 / 60.0, 2)
     (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], times, ANGLE))).notes
     assert note.startswith("uneven times: steps from 0.01 to 0.02 s; if the times are rounded, export them")
+
+
+def test_an_angle_that_freezes_is_noted_at_import(tmp_path: Path) -> None:
+    angle = ANGLE + 3.0 * np.sin(60.0 * TIME)
+    angle[60:75] = angle[60]
+    notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle))).notes
+    told = "the angle stays exactly the same for up to 15 samples while the joystick moves (rows 62-76)"
+    assert any(note.startswith(told) for note in notes)

@@ -299,3 +299,19 @@ def test_without_the_curve_uncertainties_of_springs_are_said_to_be_bounds(bench:
     without = "".join(parameter_section(read_measurements(file)).parts)
     assert "upper bounds: the file does not contain the correlations of x and k" in without
     assert "upper bounds" not in page
+
+
+@pytest.mark.parametrize(("factor", "is_same"), [(1.0, True), (1.04, True), (3.0, False)])
+def test_a_budget_whose_uncertainty_was_not_saved_is_refused(
+    factor: float, is_same: bool, bench: Bench, tmp_path: Path
+) -> None:
+    file = read_parameter_file(bench.parameters)
+    value, error = file.joystick.to_names()["damping.C"], file.uncertainties["damping.constant.C"]
+    one = {"name": "damping.C", "value": value, "standard_uncertainty": factor * error}
+    budget = tmp_path / "budget.json"
+    budget.write_text(json.dumps({"parameters": [one], "contributions": [], "exact": []}), encoding="utf-8")
+    if is_same:
+        assert read_measurements(file, budget=budget).budget is not None
+    else:
+        with pytest.raises(InputFileError, match=r"u_damping\.C = .*`pyjoystick budget --update`"):
+            read_measurements(file, budget=budget)

@@ -202,6 +202,11 @@ def test_types_other_than_real(written: Write, mixed_path: Path) -> None:
         ("values = [0.03, 0.045, 0.06]", "distribution = 'normal'", '[vary."damping.C"] mean: is missing'),
         (
             "values = [0.03, 0.045, 0.06]",
+            "distribution = 'lognormal'\nmedian = 0.05\nlog_deviation = 999",
+            "log_deviation = 999: must be above 0 and at most 10, a factor of 2.2e+04",
+        ),
+        (
+            "values = [0.03, 0.045, 0.06]",
             "distribution = 'uniform'\nlow = 0.05\nhigh = 0.03",
             "high = 0.03: must be above low, 0.05 N.m.s/rad",
         ),
