@@ -199,10 +199,8 @@ def _tell_of_lost(
     """Note a torque of which much lies between the samples: a record has it at the rate of the motion."""
     lost, whole = (float(np.trapezoid(np.abs(one), time)) for one in (given - sampled, given))
     if lost > _MOST_LOST * whole:
-        change = f"differs by {100.0 * lost / whole:.2g} % from the file"
-        print_warning(
-            f"{path}: {name} at the --rate of the record, {rate:g} Hz, {change}: choose one that resolves it"
-        )
+        change = f"{name} differs from the file by {100.0 * lost / whole:.2g} %"
+        print_warning(f"{path}: sampled at {rate:g} Hz, {change}: choose a --rate that resolves it")
 
 
 def _known(

@@ -31,9 +31,6 @@ Hang the joystick upside down, clear of its springs, and let it swing about its 
 #: Quantities on which the moment of inertia depends, with their places in a parameter file.
 _PLACES: Final = {"m": "body.m", "h": "body.h", "g": "gravity.g"}
 _UNITS: Final = {"m": "kg", "h": "m", "g": "m/s2"}
-#: Defaults for stopwatch readings.
-_SWINGS: Final = 1
-_UNCERTAINTY: Final = "1deg"
 #: Largest radius of gyration of a joystick (m).
 _FARTHEST: Final = 1.0
 
@@ -47,7 +44,7 @@ def run(
         typer.Option("--time", metavar="SECONDS", help="Stopwatch reading; repeatable."),
     ] = None,
     swings: Annotated[
-        int | None, typer.Option(min=1, help="Number of full swings per reading.", show_default=str(_SWINGS))
+        int | None, typer.Option(min=1, help="Number of full swings per reading. Default: 1.")
     ] = None,
     amplitude: Annotated[
         str | None, typer.Option(metavar="ANGLE", help="Amplitude at the start of a reading, such as 10deg.")
@@ -58,9 +55,7 @@ def run(
     ] = None,
     amplitude_uncertainty: Annotated[
         str | None,
-        typer.Option(
-            metavar="ANGLE", help="Standard uncertainty of the amplitudes.", show_default=_UNCERTAINTY
-        ),
+        typer.Option(metavar="ANGLE", help="Standard uncertainty of the amplitudes. Default: 1deg."),
     ] = None,
     reaction_time: Annotated[
         float | None,
@@ -92,10 +87,10 @@ def run(
     else:
         period = _of_readings(
             times or [],
-            swings or _SWINGS,
+            swings or 1,
             amplitude,
             end_amplitude,
-            amplitude_uncertainty or _UNCERTAINTY,
+            amplitude_uncertainty or "1deg",
             reaction_time,
         )
     found = laboratory.inertia_of_swing(period.period, values["m"], values["h"], values["g"])

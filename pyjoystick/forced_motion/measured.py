@@ -119,8 +119,8 @@ def _shifted(time: FloatArray, omega: FloatArray, alpha: FloatArray) -> Iterator
     missed = {lag: _apart(velocity, integral, lag) for lag in range(-most, most + 1)}
     lag = min(missed, key=missed.__getitem__)
     if abs(lag) > 1 and missed[lag] < _BETTER * missed[0]:
-        where = f"{1e3 * abs(lag) * step:.3g} ms {'late' if lag > 0 else 'early'}"
-        yield f"alpha seems to be {where} beside omega: is it filtered otherwise?"
+        verb = "lags" if lag > 0 else "leads"
+        yield f"alpha {verb} omega by {1e3 * abs(lag) * step:.3g} ms: was it filtered differently?"
 
 
 def _apart(velocity: FloatArray, integral: FloatArray, lag: int) -> float:

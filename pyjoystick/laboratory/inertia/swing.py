@@ -165,7 +165,7 @@ def _require_alike(times: FloatArray, swings: int, reaction_time: float) -> None
     if times.max() > _ALIKE * times.min():
         raise ParameterError("readings", given, f"all within a factor of {_ALIKE:g} of each other")
     if np.ptp(times) > max(_MISCOUNTED * swing, _BEYOND_REACTION * reaction_time):
-        allowed = f"alike within a swing of {swing:.3g} s: were the swings of one miscounted?"
+        allowed = f"the same to within a swing of {swing:.3g} s: was one miscounted?"
         raise ParameterError("readings", given, allowed)
 
 

@@ -192,7 +192,7 @@ def _peak_at_turn(force: FloatArray, rows: NDArray[np.int64], turn: int) -> Iter
     excess = float(force[turn]) - max(beside)
     if excess > _JUMP * np.ptp(force):
         where = f"at the largest travel (row {rows[turn]})"
-        yield f"force exceeds that beside it by {excess:.4g} N {where}: is it a stop, or wrong?"
+        yield f"the force {where} exceeds its neighbors by {excess:.4g} N: an end stop, or a wrong number?"
 
 
 def _require_one_way(

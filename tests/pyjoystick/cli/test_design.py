@@ -168,4 +168,4 @@ def test_a_torque_between_the_samples_is_noted(
     file = tmp_path / "taps.csv"
     file.write_text("\n".join(["time (s),T (Nm)", *taps, ""]))
     assert main(["design", "--torque", str(file), "--rate", rate]) == 0
-    assert ("choose one that resolves it" in capsys.readouterr().err) is is_noted
+    assert ("choose a --rate that resolves it" in capsys.readouterr().err) is is_noted

@@ -123,7 +123,7 @@ def test_an_acceleration_that_is_late_or_wrong_for_a_moment_is_noted(tmp_path: P
 
     before = notes(at.alpha)
     (late,) = set(notes(np.roll(at.alpha, 2))) - set(before)
-    assert late == "alpha seems to be 33.3 ms late beside omega: is it filtered otherwise?"
+    assert late == "alpha lags omega by 33.3 ms: was it filtered differently?"
     wrong = at.alpha.copy()
     wrong[30] = 10.0 * np.abs(wrong).max()
     assert any(note.startswith("alpha is") and "row 32" in note for note in notes(wrong))

@@ -193,4 +193,6 @@ def test_a_force_that_leaps_at_the_largest_travel_is_noted(tmp_path: Path) -> No
     turn = int(np.argmax(travel))
     force[turn] += 2.0 * np.ptp(force)
     (note,) = read_load_curve(write(tmp_path / "peak.csv", travel, force)).notes
-    assert re.fullmatch(r"force exceeds that beside it by .* N at the largest travel \(row \d+\): .*", note)
+    assert re.fullmatch(
+        r"the force at the largest travel \(row \d+\) exceeds its neighbors by .* N: .*", note
+    )
