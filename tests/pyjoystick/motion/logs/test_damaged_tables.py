@@ -309,8 +309,8 @@ def test_settings_above_the_headings_may_have_their_names(tmp_path: Path) -> Non
 def test_a_last_row_with_another_delimiter(encoding: str, tmp_path: Path) -> None:
     rows = _lines("{:.3f};{:.4f}\n").replace(".", ",")
     head, _, last = rows.rstrip("\n").rpartition("\n")
-    content = f"Zeit (s);Winkel (°)\n{head}\n{last.replace(';', '|')}\n"
-    with pytest.raises(RecordError, match=rf"row {COUNT + 1}: has 1 cell under 2 headings"):
+    content = f"Prüfer;Müller;Raum 3\n\nZeit (s);Winkel (°)\n{head}\n{last.replace(';', '|')}\n"
+    with pytest.raises(RecordError, match=rf"row {COUNT + 3}: has 1 cell under 2 headings"):
         read_log(written(tmp_path / "log.csv", content, encoding))
 
 
