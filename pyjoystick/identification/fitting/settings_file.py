@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -12,6 +12,8 @@ from pyjoystick.fmu import MODELS, FmuDescription, Value, Variable, find_fmu
 from pyjoystick.identification.fitting.problem.instrument import INSTRUMENT, RELEASE_TIME, ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.known_values import with_values
 from pyjoystick.identification.fitting.problem.settings import FitSettings, Free, Noise, Search, Uncertainty
+from pyjoystick.identification.fitting.problem.ties import Ties, names_in
+from pyjoystick.identification.fitting.problem.variables import require_known
 from pyjoystick.runs import difference_of, fmu_of, joystick_values, number_of, value_of
 from pyjoystick.support import ParameterError, SettingsError, Table, UnknownVariableError, read_toml
 
@@ -33,22 +35,24 @@ def read_fit_settings(
     root = read_toml(path)
     table = root.table("fmu", required=True)
     fmu = fmu_of(table, find)
-    name = table.text("path")
-    compared = _compared(root.table("compare"))
+    name, values = table.text("path"), joystick_values(table, fmu)
+    compared = _compared(root.table("compare"), fmu)
+    ties = root.table("ties").texts()
     measured = _Measured(fmu, compared.get("outputs", ("theta",))[0])
     given: dict[str, Any] = {
         "fmu": name if name in MODELS else str(fmu.path),
         "fixed": _fixed(root.table("parameters"), measured),
-        "free": _free(root.table("free", required=True), measured),
-        "ties": root.table("ties").texts(),
+        "free": _free(root.table("free", required=True), measured, names_in(ties.values())),
+        "ties": ties,
         "noise": _noise(root.table("noise"), fmu),
         **compared,
     }
+    with root.table("ties").at():
+        Ties([one.name for one in given["free"] if one.name not in INSTRUMENT], ties, fmu)
     if RELEASE_TIME in {one.name for one in given["free"]} and ZERO_OFFSET not in given["fixed"]:
         given["free"] = _with_zero_offset(given["free"])
     if "tolerance" in table:
         given["tolerance"] = table.number("tolerance")
-    values = joystick_values(table, fmu)
     given["search"] = _made(root.table("search"), Search, tuples=("stages", "exchanges", "scan"))
     given["uncertainty"] = _made(root.table("uncertainty"), Uncertainty, tuples=("profiles",))
     root.finish()
@@ -94,7 +98,7 @@ def _fixed(table: Table, measured: _Measured) -> dict[str, Value]:
     return values
 
 
-def _free(table: Table, measured: _Measured) -> tuple[Free, ...]:
+def _free(table: Table, measured: _Measured, in_ties: Set[str]) -> tuple[Free, ...]:
     found = []
     for name, inner in table.subtables():
         numbers = {
@@ -104,6 +108,7 @@ def _free(table: Table, measured: _Measured) -> tuple[Free, ...]:
             numbers["uncertainty"] = measured.difference(inner, "uncertainty", name)
         with inner.at():
             found.append(Free(name, **numbers, per_record=inner.flag("per_record")))
+            require_known(found[-1], measured.fmu, in_ties)
     return tuple(found)
 
 
@@ -124,13 +129,16 @@ def _noise(table: Table, fmu: FmuDescription) -> Noise:
         return Noise(sigma, table.flag("per_record"), colored, robust)
 
 
-def _compared(table: Table) -> dict[str, Any]:
+def _compared(table: Table, fmu: FmuDescription) -> dict[str, Any]:
     found: dict[str, Any] = {}
     if "what" in table:
         found["comparison"] = table.choice("what", ("trajectory", "peaks"))
     for key in ("outputs", "inputs"):
         if key in table:
             found[key] = tuple(table.words(key))
+            with table.at(key):
+                for name in found[key]:
+                    _variable(fmu, name)
     if "peaks" in table:
         found["peaks"] = table.integer("peaks", 2)
     if "derivatives" in table:

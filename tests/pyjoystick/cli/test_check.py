@@ -122,3 +122,29 @@ def test_files_that_cannot_be_read(text: str, message: str, command: Command, tm
     outcome = command("check", "bad.toml")
     assert outcome.code == 1
     assert message in outcome.message
+
+
+def test_names_that_an_fmu_does_not_have(command: Command, tmp_path: Path) -> None:
+    (tmp_path / "fit.toml").write_text(
+        """
+fmu.path = "JoystickPowerLaw"
+free.Jx = {}
+free.aux = {}
+free.J = {minimum = -5}
+ties."damping.A_neg" = "0.5 * aux * dampling.A_pos"
+compare.outputs = ["theta", "omeg"]
+compare.inputs = ["T2"]
+""",
+        encoding="utf-8",
+    )
+    outcome = command("check", "fit.toml")
+    assert outcome.code == 1
+    assert _places(outcome.err) == [
+        "[compare] outputs",
+        "[compare] inputs",
+        "[free.Jx]",
+        "[free.aux] start",
+        "[free.J] minimum",
+        "[ties]",
+    ], outcome.err
+    assert "did you mean J?" in outcome.err

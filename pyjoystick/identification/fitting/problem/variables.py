@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -123,9 +123,7 @@ class Variables:
         own = [one.name for one in settings.free if one.name not in INSTRUMENT]
         self.in_ties = names_in(settings.ties.values())
         for one in settings.free:
-            auxiliary = one.name not in description.variables and one.name not in INSTRUMENT
-            if auxiliary and one.name not in self.in_ties:
-                raise UnknownParameterError(one.name, [*INSTRUMENT, *description.settable_names()])
+            require_known(one, description, self.in_ties)
             first = settings.outputs[0]
             largest = [_largest(record, first) for record in records]
             if one.per_record:
@@ -218,6 +216,35 @@ def _largest(record: Measurement, output: str) -> float:
     return float(np.max(np.abs(record.series(output)))) if output in record.columns else 1.0
 
 
+def require_known(one: Free, description: FmuDescription, in_ties: Set[str]) -> None:
+    """Check a free parameter against the FMU.
+
+    Args:
+        one: the free parameter
+        description: description of the FMU
+        in_ties: names that ties use; those that the FMU does not have are auxiliary parameters
+
+    Raises:
+        UnknownParameterError: FMU, instrument and ties have no parameter of this name
+        ParameterError: the parameter cannot be free, its values are outside the limits of the FMU, or an
+            auxiliary parameter has no start
+    """
+    if one.name in INSTRUMENT:
+        return
+    if one.name not in description.variables:
+        if one.name not in in_ties:
+            raise UnknownParameterError(one.name, [*INSTRUMENT, *description.settable_names()])
+        if one.start is None:
+            raise ParameterError(f"{one.name}.start", None, "given: the FMU has no parameter of this name")
+        return
+    known = description.variables[one.name]
+    if known.type != "Real" or not known.settable_at_start:
+        raise ParameterError(one.name, "free", "a real parameter or start value that can be set")
+    for value in (one.start, one.minimum, one.maximum):
+        if value is not None:
+            checked_value(known, value)
+
+
 class _Seen(NamedTuple):
     """What a record shows: its release, if required, and its largest value."""
 
@@ -242,7 +269,7 @@ def _variable(
         start, low, high = 0.0, -_INSTRUMENT_RANGE, _INSTRUMENT_RANGE
         unit = "s" if one.name == DELAY else ""
     elif one.name not in description.variables:
-        start, low, high, unit = _auxiliary(one)
+        start, low, high, unit = 0.0, -math.inf, math.inf, ""
     else:
         start, low, high = _fmu_parameter(one, description, guess)
         unit = description.variables[one.name].unit or ""
@@ -273,21 +300,10 @@ def _release_time(one: Free, guess: Release | None) -> tuple[float, float, float
     return time, time - _TIME_RANGE, time + _TIME_RANGE, "s"
 
 
-def _auxiliary(one: Free) -> tuple[float, float, float, str]:
-    if one.start is None:
-        raise ParameterError(f"{one.name}.start", one.start, "given: the FMU has no parameter of this name")
-    return one.start, -math.inf, math.inf, ""
-
-
 def _fmu_parameter(
     one: Free, description: FmuDescription, guess: Release | None
 ) -> tuple[float, float, float]:
     known = description.variables[one.name]
-    if known.type != "Real" or not known.settable_at_start:
-        raise ParameterError(one.name, "free", "a real parameter or start value that can be set")
-    for value in (one.start, one.minimum, one.maximum):
-        if value is not None:
-            checked_value(known, value)
     low = -math.inf if known.minimum is None else float(known.minimum)
     high = math.inf if known.maximum is None else float(known.maximum)
     if one.name == "theta_start" and guess is not None:
