@@ -59,7 +59,10 @@ def read_description(path: Path) -> FmuDescription:
         raise
     except Exception as error:  # FMPy passes on any error of its parser
         said = str(error)[:_MOST_SAID]  # of a damaged archive, an error quotes whatever follows in it
-        reason = f"its modelDescription.xml cannot be read: {type(error).__name__}: {said}"
+        said = f"{type(error).__name__}: {said}"
+        if isinstance(error, IndexError):
+            said = "an index in its ModelStructure belongs to no variable"
+        reason = f"its modelDescription.xml cannot be read: {said}"
         raise FmuFileError(path, reason) from error
 
 

@@ -71,8 +71,9 @@ FUNCTIONS = (
     Meaning(
         r"function loop domain",
         UnsupportedModelError,
-        "loops of functions run over ranges of whole numbers, as 1:n; give other values to an array first",
-        (r"\bfor\s+\w+\s+in\s+(?=\{)",),
+        "loops of functions run over ranges of whole numbers, as 1:size(v, 1) for an array v; give other "
+        "values to an array first",
+        (r"\bfor\s+\w+\s+in\s+(?=\{|[A-Za-z_][\w.]*\s+loop\b)",),
         only_there=True,
     ),
     Meaning(

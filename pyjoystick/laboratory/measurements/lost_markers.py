@@ -15,9 +15,13 @@ from pyjoystick.support import FloatArray
 
 #: A marker farther from the origin than this many times its longest step between frames did not go there.
 _STEPS_AWAY: Final = 3.0
-#: A marker that repeats its place this many times stays there, if few frames repeat the one before otherwise.
+#: A marker, or all together, that repeat their place this many times stay there, if few frames repeat the one
+#: before otherwise.
 _FROZEN: Final = 5
+_ALL_FROZEN: Final = 2
 _BY_CHANCE: Final = 0.01
+#: A motion that comes to rest moves less than a third as far between the last two frames as before them.
+_SMOOTH: Final = 0.5
 
 
 def without_lost(markers: Markers) -> Markers:
@@ -43,25 +47,46 @@ def without_lost(markers: Markers) -> Markers:
 
 
 def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
-    """Note a marker that stays exactly where it is for some frames, but moves or trembles in all others.
+    """Note markers that stay exactly where they are for some frames, but move or tremble in all others.
 
-    Where the other markers do not move either, it is at rest.
+    Where all markers stay, a motion that slows down before and speeds up after is at rest there.
     """
-    still = (np.diff(positions, axis=0) == 0.0).all(axis=2)
+    changes = np.diff(positions, axis=0)
+    still = (changes == 0.0).all(axis=2)
     for i, name in enumerate(markers.names):
-        path, same = positions[:, i], still[:, i] & ~np.delete(still, i, axis=1).all(axis=1)
-        edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
-        runs = [(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= _FROZEN]
-        inner = [
-            (a, b) for a, b in runs if a > 0 and b < len(same) and not unseen(path[[a - 1, b + 1]]).any()
-        ]
-        outside = np.count_nonzero(same) - sum(b - a for a, b in inner)
-        if inner and outside <= _BY_CHANCE * len(same):
-            frames = markers.rows[np.concatenate([np.arange(a, b + 1) for a, b in inner])]
-            yield (
-                f"marker {name} is at exactly the same place in {len(frames)} frames "
-                f"({rows_in_words(frames.tolist())}): was it lost there?"
-            )
+        alone = still[:, i] & ~np.delete(still, i, axis=1).all(axis=1)
+        runs = _runs(alone, unseen(positions[:, i]), _FROZEN)
+        yield from _frozen_note(f"marker {name} is", "was it lost there?", markers.rows, still[:, i], runs)
+    lost = np.asarray(np.isnan(positions).any(axis=2))
+    together = (still | lost[1:] & lost[:-1]).all(axis=1) & still.any(axis=1)
+    steps = np.sqrt(np.nansum(changes**2, axis=(1, 2)))
+    runs = _runs(together, np.asarray(lost.all(axis=1)), _ALL_FROZEN)
+    runs = [run for run in runs if _is_sudden(steps, *run)]
+    yield from _frozen_note("all markers are", "did the recording freeze?", markers.rows, together, runs)
+
+
+def _runs(same: NDArray[np.bool_], lost: NDArray[np.bool_], fewest: int) -> list[tuple[int, int]]:
+    """First and last frames of `fewest` or more repeats of the frame before, between seen frames."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
+    runs = [(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= fewest]
+    return [(a, b) for a, b in runs if a > 0 and b < len(same) and not lost[[a - 1, b + 1]].any()]
+
+
+def _is_sudden(steps: FloatArray, first: int, last: int) -> bool:
+    """Whether the motion stops or starts at once at the frames of a run, given its steps between frames."""
+    stops = first > 1 and steps[first - 1] > _SMOOTH * steps[first - 2]
+    starts = last + 1 < len(steps) and steps[last] > _SMOOTH * steps[last + 1]
+    return bool(stops or starts)
+
+
+def _frozen_note(
+    who: str, question: str, rows: NDArray[np.int64], same: NDArray[np.bool_], runs: list[tuple[int, int]]
+) -> Iterator[str]:
+    outside = np.count_nonzero(same) - sum(b - a for a, b in runs)
+    if runs and outside <= _BY_CHANCE * len(same):
+        frames = rows[np.concatenate([np.arange(a, b + 1) for a, b in runs])]
+        where = rows_in_words(frames.tolist())
+        yield f"{who} at exactly the same place in {len(frames)} frames ({where}): {question}"
 
 
 def _far_from_origin(path: FloatArray, zero: NDArray[np.bool_]) -> NDArray[np.bool_]:

@@ -18,11 +18,9 @@ from pyjoystick.motion.logs.headings import last_part, meaning
 from pyjoystick.motion.logs.layout import Layout, Scale
 from pyjoystick.motion.logs.log_table import AUTOMATIC, SYMBOLIC, LogTable, read_log_table
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.free_oscillation import HELD
 from pyjoystick.motion.records.glitches import doubts, lone_notes
 from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import FEWEST_SAMPLES, GAP, Record
-from pyjoystick.motion.records.swings import THRESHOLD, find_swings
 from pyjoystick.motion.units import UNITS
 from pyjoystick.support import FloatArray
 
@@ -140,7 +138,7 @@ def read_log(
     record = record_of(log)
     require_no_jump(record)  # all of these reject impossible motions
     advice = "empty the angle's cell in that row; rows without a number are left out"
-    notes = [*doubts(str(path), *motion, advice), *_repeated(record)]
+    notes = [*doubts(str(path), *motion, advice), *repeated_angles(*motion[1:])]
     if "omega" in found:  # a torque or force may well be a tap
         notes += lone_notes(repr(table.heading(found["omega"]).text), log.series["omega"], log.rows)
     return replace(log, notes=(*log.notes, *notes))
@@ -199,14 +197,6 @@ def _longest_gap(time: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
         i = int(np.argmax(steps))
         count = "a gap" if gaps == 1 else f"{gaps} gaps, the longest"
         yield f"{count} of {steps[i]:.4g} s between rows {rows[i]} and {rows[i + 1]}: one record a file?"
-
-
-def _repeated(record: Record) -> Iterator[str]:
-    """Note angles that stay exactly the same within a motion from side to side."""
-    largest = float(np.max(np.abs(record.theta)))
-    swings = find_swings(record.theta, THRESHOLD * largest) if largest > 0.0 else []
-    if len(swings) > 1:
-        yield from repeated_angles(record, swings, HELD)
 
 
 def record_of(log: Log) -> Record:

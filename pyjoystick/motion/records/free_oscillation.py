@@ -19,7 +19,7 @@ from typing import Final, Literal
 import numpy as np
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
-from pyjoystick.motion.records.instrument import repeated_angles, require_no_jump, uneven_notes
+from pyjoystick.motion.records.instrument import HELD, repeated_angles, require_no_jump, uneven_notes
 from pyjoystick.motion.records.record import GAP, HIDING, Record
 from pyjoystick.motion.records.swings import THRESHOLD, Swing, find_swings
 from pyjoystick.support import FloatArray
@@ -42,8 +42,6 @@ _AT_FIRST: Final = 0.02
 _MOVING: Final = 0.25
 _CLEARLY: Final = 5.0
 _JUST: Final = 2.0
-#: Above this part of the release angle the joystick is still held: once free, it never returns there.
-HELD: Final = 0.95
 #: Minimum number of samples at the end of a record that show the rest position.
 _REST_SAMPLES: Final = 10
 #: A rest farther from zero than this part of the largest angle is noted. A joystick leans to an end of its
@@ -80,7 +78,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None, coun
         *_gaps(record, swings, counted=counted),
         *uneven_notes(record.time),
         *_velocity(record),
-        *repeated_angles(record, swings, HELD),
+        *repeated_angles(record.theta, record.rows),
         *_peak_count(record, swings),
         *_stops(record, largest),
         *_rest(record, swings, largest),

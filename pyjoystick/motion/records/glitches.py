@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
+from pyjoystick.motion.records.instrument import HELD
 from pyjoystick.support import FloatArray
 
 #: The paper's joystick moves at up to 12 rad/s; a faster step (rad/s) of this size (rad) that is this much
@@ -27,6 +28,9 @@ _MULTIPLE: Final = 5.0
 _AROUND: Final = 10
 _FEWEST: Final = 6
 _FEW: Final = 12
+#: A step faster than the paper's joystick (rad/s) and this many times as fast as all others is no motion.
+_FASTER: Final = 12.0
+_ALONE: Final = 4.0
 #: Number of successive samples at which no motion turns back.
 _TURNS: Final = 4
 #: Up to this many samples that are farther outside all others than these are apart, of this many or more.
@@ -105,16 +109,40 @@ def mixture_notes(theta: FloatArray) -> Iterator[str]:
         yield f"the angle turns back at {count} samples in succession: do two angles alternate in one column?"
 
 
+def step_notes(time: FloatArray, theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
+    """Note a single step that is far faster than all others, as where the unit of the angle (rad) changes.
+
+    Not the first steps after a release, which a light joystick may make between two samples.
+
+    Args are those of `glitch_notes`.
+    """
+    if len(theta) < _AROUND:
+        return
+    steps = np.abs(np.diff(theta))
+    intervals = np.diff(time)
+    rates = steps / np.maximum(intervals, np.median(intervals))  # a jitter of the times is no motion
+    second, i = (int(one) for one in np.argsort(rates)[-2:])
+    size = np.abs(theta)
+    released = size[max(0, i - 1) : i + 1].max() > HELD * size.max()
+    if not released and steps[i] > _APART and rates[i] > max(_FASTER, _ALONE * rates[second]):
+        yield (
+            f"the angle moves by {math.degrees(steps[i]):.2g} degrees between two samples "
+            f"({rows_in_words(rows[i : i + 2].tolist())}), much faster than anywhere else: "
+            "does its unit or its zero change there?"
+        )
+
+
 def doubts(
     source: str, time: FloatArray, theta: FloatArray, rows: NDArray[np.int64], advice: str
 ) -> list[str]:
-    """Notes on an angle that alternates or leaves the motion; one that jumps is an error.
+    """Notes on an angle that alternates, leaves the motion or moves in one step; one that jumps is an error.
 
     Args and errors are those of `require_no_glitch`.
     """
     motion = time, theta, rows
     require_no_glitch(source, *motion, question="is a sample wrong there?", advice=advice)
-    return [*mixture_notes(theta)] or [*glitch_notes(*motion, question="are these samples wrong?")]
+    found = [*mixture_notes(theta)] or [*step_notes(*motion)]
+    return found or [*glitch_notes(*motion, question="are these samples wrong?")]
 
 
 def lone_notes(what: str, values: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.motion.records.errors import RecordError, rows_in_words
 from pyjoystick.motion.records.record import GAP, Record
-from pyjoystick.motion.records.swings import Swing
+from pyjoystick.motion.records.swings import THRESHOLD, find_swings
 from pyjoystick.support import FloatArray
 
 #: A joystick moves at up to 12 rad/s; a step faster than this that
@@ -21,6 +22,8 @@ _FAR: Final = 0.5
 _BESIDE: Final = 0.25
 #: Times are uneven if steps that are not gaps differ by this part of the usual one.
 _UNEVEN: Final = 0.02
+#: Above this part of the release angle the joystick is still held: once free, it never returns there.
+HELD: Final = 0.95
 #: Number of equal samples that are examined.
 _EQUAL: Final = 3
 #: After equal samples, a step of a true motion is at most four times the resolution, including rounding.
@@ -66,32 +69,34 @@ def uneven_notes(time: FloatArray) -> Iterator[str]:
         )
 
 
-def repeated_angles(record: Record, swings: Sequence[Swing], held: float) -> Iterator[str]:
-    """Note that the angle stays exactly constant in the middle of the motion, then catches up.
+def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
+    """Note that the angle stays exactly constant in a motion from side to side, then catches up.
 
     Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the next step is
     a few times the resolution; after a freeze, the sensor makes up for all that it missed.
 
     Args:
-        record: the measured record
-        swings: swings of its angle
-        held: part of the release angle above which the joystick is still held
+        theta: the angle (rad), shape (n,)
+        rows: rows of the samples in the file, shape (n,)
     """
-    theta = record.theta
+    largest = float(np.max(np.abs(theta)))
+    swings = find_swings(theta, THRESHOLD * largest) if largest > 0.0 else []
+    if len(swings) < 2:
+        return
     edges = np.flatnonzero(np.abs(np.diff(theta)) > _SAME_ANGLE)
     values = np.diff(np.unique(theta))
     values = values[values > _SAME_ANGLE]
     resolution = float(np.min(values)) if values.size else math.inf
     frozen: list[tuple[int, int]] = []
     for before, last in pairwise([-1, *edges.tolist()]):
-        moves = theta[last] / swings[0].value < held and last < swings[-1].last
+        moves = theta[last] / swings[0].value < HELD and last < swings[-1].last
         caught_up = abs(theta[last + 1] - theta[last]) > _CATCH_UP * resolution
         if last - before >= _EQUAL and moves and caught_up:
             frozen.append((before + 1, last))
     if frozen:
         most = max(last - first + 1 for first, last in frozen)
-        rows = rows_in_words(int(record.rows[i]) for first, last in frozen for i in range(first, last + 1))
+        where = rows_in_words(int(rows[i]) for first, last in frozen for i in range(first, last + 1))
         yield (
-            f"the angle stays exactly the same for up to {most} samples while the joystick moves ({rows}): "
+            f"the angle stays exactly the same for up to {most} samples while the joystick moves ({where}): "
             "did the sensor freeze, reach the end of its range, or is it slower than the record?"
         )

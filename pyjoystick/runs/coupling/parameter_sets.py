@@ -146,13 +146,13 @@ def bound_parameters(path: Path, element: Element, read: Callable[[str], bytes])
                 raise InputFileError(path, f"{source} cannot be read: {error}") from error
         inside = [binding.find(f"ssd:{name}", NAMESPACES) for name in ("ParameterValues", "ParameterMapping")]
         has_values, has_mapping = (one is not None for one in inside)
-        if (
-            binding.get("prefix")
-            or binding.get("sourceBase")
-            or has_mapping
-            or has_values == bool(source.name)
-        ):
+        reason = ""
+        if binding.get("prefix") or binding.get("sourceBase") or has_mapping:
             reason = "parameters with a prefix, a base or a mapping are not supported"
+        elif has_values == bool(source.name):
+            found = "both a source and" if has_values else "neither a source nor"
+            reason = f"a ParameterBinding has {found} values"
+        if reason:
             raise InputFileError(path, f"component {element.get('name')!r}: {reason}")
         if content is binding:
             yield from content.iterfind(

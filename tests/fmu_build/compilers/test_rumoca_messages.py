@@ -880,7 +880,14 @@ _CASES = {
         _function("y := 0; for i in {1, 4} loop y := y + i*x; end for;"),
         "y = f(time);",
         UnsupportedModelError,
-        "loops of functions run over ranges of whole numbers, as 1:n",
+        "M.mo:2:62: loops of functions run over ranges of whole numbers, as 1:size(v, 1) for an array v",
+    ),
+    "a loop over an array in a function": Case(
+        "function f input Real v[:]; output Real y = 0; algorithm for i in 1:size(v, 1) loop y := y + v[i]; "
+        "end for; for x in v loop y := y + x; end for; end f; Real y;",
+        "y = f({time, 1.0});",
+        UnsupportedModelError,
+        "M.mo:2:111: loops of functions run over ranges of whole numbers, as 1:size(v, 1) for an array v",
     ),
     "a loop with a computed bound in a function": Case(
         _function(

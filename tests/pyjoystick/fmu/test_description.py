@@ -157,6 +157,16 @@ def test_display_units_that_no_factor_and_offset_convert(
         value_of(variables["k"], "0.25s")
 
 
+def test_an_index_that_belongs_to_no_variable(joystick_path: Path, tmp_path: Path) -> None:
+    path = doctored(
+        joystick_path,
+        tmp_path / "wrong.fmu",
+        description=lambda text: re.sub(r'<Unknown index="\d+"', '<Unknown index="9999"', text),
+    )
+    with pytest.raises(FmuFileError, match=r"wrong\.fmu: .*an index in its ModelStructure belongs to no var"):
+        read_description(path)
+
+
 def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
     path = tmp_path / "notes.fmu"
     path.write_text("not an FMU")

@@ -351,3 +351,18 @@ def test_an_angle_that_freezes_is_noted_at_import(tmp_path: Path) -> None:
     notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], TIME, angle))).notes
     told = "the angle stays exactly the same for up to 15 samples while the joystick moves (rows 62-76)"
     assert any(note.startswith(told) for note in notes)
+
+
+@pytest.mark.parametrize(("factor", "offset", "size"), [(np.pi / 180.0, 0.0, "2.8"), (1.0, 6.0, "5.6")])
+def test_a_unit_or_a_zero_that_changes_is_noted(
+    factor: float, offset: float, size: str, tmp_path: Path
+) -> None:
+    """At -2.9 degrees, at which the angle moves by 0.4 degrees from sample to sample."""
+    time = np.arange(1000) / 500.0
+    angle = 20.0 * np.exp(-1.5 * time) * np.cos(12.0 * time)
+    angle[74:] = factor * angle[74:] + offset
+    notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    told = (
+        f"the angle moves by {size} degrees between two samples (rows 75-76), much faster than anywhere else"
+    )
+    assert [note.partition(":")[0] for note in notes] == [told]

@@ -200,6 +200,11 @@ def test_a_file_that_is_no_archive(tmp_path: Path) -> None:
         ('type="application/x-fmu-sharedlibrary"', 'type="application/x-ssp-package"', "is not an FMU"),
         ('startElement="joystick"', "", "only those between components"),
         ("<ssd:ParameterBinding>", '<ssd:ParameterBinding prefix="a.">', "parameters with a prefix"),
+        (
+            "<ssd:ParameterBinding>",
+            "<ssd:ParameterBinding /><ssd:ParameterBinding>",
+            "a ParameterBinding has neither a source nor values",
+        ),
         ("<ssd:ParameterBinding>", '<ssd:ParameterBinding source="../a.ssv">', "no .ssv file of the archive"),
         (
             "<ssd:ParameterBinding>",
