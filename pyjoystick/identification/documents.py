@@ -182,15 +182,16 @@ def _read(path: Path, kind: _Kind[_T]) -> _T:
 
 
 def _misfit(content: object, kind: _Kind[_T], what: str) -> str:
-    """Explain why a file cannot be parsed: another version wrote it, or it is something else."""
+    """Explain why a file cannot be parsed: of another version, edited, or something else."""
     made = content.get("made_with") if isinstance(content, Mapping) else None
     version = made.get("pyjoystick") if isinstance(made, Mapping) else None
     if version is None:
         return f"is no {kind.name}: {what}"
     own = versions()["pyjoystick"]
-    writer = f"version {version}" if version != own else f"an earlier state of version {own}"
-    advice = f"make it anew with `{kind.again}`, or `pyjoystick run`"
-    return f"was written by {writer} of pyjoystick ({what}): {advice}"
+    cause = f"was written by version {version} of pyjoystick"
+    if version == own:
+        cause = f"was edited, or written by an earlier state of pyjoystick {own}"
+    return f"{cause} ({what}): make it anew with `{kind.again}`, or `pyjoystick run`"
 
 
 def _fit(content: Mapping[str, Any], source: str) -> FitDocument:

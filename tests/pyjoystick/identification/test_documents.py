@@ -19,16 +19,20 @@ OWN = versions()["pyjoystick"]
     [(read_fit, "pyjoystick fit ... --output FOLDER"), (read_budget, "pyjoystick budget ... --json FILE")],
 )
 @pytest.mark.parametrize(
-    ("version", "writer"), [("0.0.3", "version 0.0.3"), (OWN, f"an earlier state of version {OWN}")]
+    ("version", "cause"),
+    [
+        ("0.0.3", "was written by version 0.0.3 of pyjoystick"),
+        (OWN, f"was edited, or written by an earlier state of pyjoystick {OWN}"),
+    ],
 )
 def test_a_file_of_another_version_says_so_and_how_to_make_it_anew(
-    read: Callable[[str], object], again: str, version: str, writer: str, tmp_path: Path
+    read: Callable[[str], object], again: str, version: str, cause: str, tmp_path: Path
 ) -> None:
     path = tmp_path / "old.json"
     path.write_text(json.dumps({"made_with": {"pyjoystick": version}}), encoding="utf-8")
     with pytest.raises(InputFileError) as caught:
         read(str(path))
-    assert f"was written by {writer} of pyjoystick" in str(caught.value)
+    assert f"old.json: {cause} (" in str(caught.value)
     assert f"make it anew with `{again}`" in str(caught.value)
 
 
