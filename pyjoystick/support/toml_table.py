@@ -64,9 +64,10 @@ class Table:
         try:
             yield
         except ParameterError as error:
-            field = error.field.rpartition(".")[2]
-            known = field if field.partition("[")[0] in self._known else ""
-            raise self.refused(key or known, error) from None
+            parts = error.field.split(".")  # names of keys may have points, too
+            ends = (".".join(parts[i:]) for i in range(len(parts)))
+            known = (end for end in ends if {end, end.partition("[")[0]} & self._known.keys())
+            raise self.refused(key or next(known, ""), error) from None
         except UnknownNameError as error:
             raise self.refused(key, error) from None
 

@@ -6,6 +6,7 @@ empty input, and its output goes to standard error, which the parent reads.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import pickle
 import signal
@@ -31,12 +32,14 @@ def main(place_file: str) -> None:
     requests, answers = os.fdopen(os.dup(0), "rb"), os.fdopen(os.dup(1), "wb")
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     os.dup2(2, 1)
+    messages = os.dup(2)  # an FMU may close its own, or send it elsewhere
     waiting: SimpleQueue[tuple[str, tuple[object, ...]]] = SimpleQueue()
     threading.Thread(target=_read, args=(requests, waiting), daemon=True).start()
     service = Service(place_file)
     while True:
         name, arguments = waiting.get()
-        os.write(2, NEW_REQUEST)
+        with contextlib.suppress(OSError):
+            os.write(messages, NEW_REQUEST)
         try:
             answer = True, getattr(service, name)(*arguments)
         except BaseException as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterator
 from typing import Final
 
@@ -15,11 +16,16 @@ from pyjoystick.support import FloatArray
 
 #: A marker farther from the origin than this many times its longest step between frames did not go there.
 _STEPS_AWAY: Final = 3.0
-#: A marker, or all together, that repeat their place this many times stay there, if few frames repeat the one
-#: before otherwise.
+#: A marker, or all together, that repeat their place this many times are frozen,
 _FROZEN: Final = 5
 _ALL_FROZEN: Final = 2
+#: if few other frames repeat the one before, and not nearly all frames do.
 _BY_CHANCE: Final = 0.01
+_MOST: Final = 0.9
+#: All together must be expected to repeat their place this often only, by their shares of other repeats.
+_UNLIKELY: Final = 0.05
+#: A marker with more repeats than this does not tremble.
+_TREMBLING: Final = 0.1
 #: A motion that comes to rest moves less than a third as far between the last two frames as before them.
 _SMOOTH: Final = 0.5
 
@@ -47,46 +53,62 @@ def without_lost(markers: Markers) -> Markers:
 
 
 def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
-    """Note markers that stay exactly where they are for some frames, but move or tremble in all others.
-
-    Where all markers stay, a motion that slows down before and speeds up after is at rest there.
-    """
+    """Note markers that stay exactly where they are for some frames, but move or tremble in the others."""
     changes = np.diff(positions, axis=0)
     still = (changes == 0.0).all(axis=2)
-    for i, name in enumerate(markers.names):
-        alone = still[:, i] & ~np.delete(still, i, axis=1).all(axis=1)
-        runs = _runs(alone, unseen(positions[:, i]), _FROZEN)
-        yield from _frozen_note(f"marker {name} is", "was it lost there?", markers.rows, still[:, i], runs)
     lost = np.asarray(np.isnan(positions).any(axis=2))
+    seen = ~(lost[1:] | lost[:-1])
+    for i, name in enumerate(markers.names):
+        alone = _in_runs(still[:, i] & ~np.delete(still, i, axis=1).all(axis=1), _FROZEN)
+        if _share(still[:, i], seen[:, i] & ~alone) <= _BY_CHANCE and alone.mean() < _MOST:
+            yield from _note(f"marker {name} is", "was it lost there?", markers.rows, alone)
     together = (still | lost[1:] & lost[:-1]).all(axis=1) & still.any(axis=1)
-    steps = np.sqrt(np.nansum(changes**2, axis=(1, 2)))
-    runs = _runs(together, np.asarray(lost.all(axis=1)), _ALL_FROZEN)
-    runs = [run for run in runs if _is_sudden(steps, *run)]
-    yield from _frozen_note("all markers are", "did the recording freeze?", markers.rows, together, runs)
+    frozen = _in_runs(together, _ALL_FROZEN)
+    shares = [_share(still[:, i], seen[:, i] & ~frozen) for i in range(len(markers.names))]
+    if max(shares) > _TREMBLING:  # such markers may be at rest
+        steps = np.sqrt(np.nansum(changes**2, axis=(1, 2)))
+        frozen = _in_sudden_runs(frozen, steps)
+    if len(still) * math.prod(shares) <= _UNLIKELY and frozen.mean() < _MOST:
+        yield from _note("all markers are", "did the recording freeze?", markers.rows, frozen)
 
 
-def _runs(same: NDArray[np.bool_], lost: NDArray[np.bool_], fewest: int) -> list[tuple[int, int]]:
-    """First and last frames of `fewest` or more repeats of the frame before, between seen frames."""
+def _share(still: NDArray[np.bool_], among: NDArray[np.bool_]) -> float:
+    """Part of the frames that repeat the one before."""
+    return float(still[among].mean()) if among.any() else 1.0
+
+
+def _edges(same: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """Begin and end of each run of true values, as for slices."""
     edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
-    runs = [(a, b) for a, b in edges.reshape(-1, 2).tolist() if b - a >= fewest]
-    return [(a, b) for a, b in runs if a > 0 and b < len(same) and not lost[[a - 1, b + 1]].any()]
+    return [(a, b) for a, b in edges.reshape(-1, 2).tolist()]
 
 
-def _is_sudden(steps: FloatArray, first: int, last: int) -> bool:
-    """Whether the motion stops or starts at once at the frames of a run, given its steps between frames."""
-    stops = first > 1 and steps[first - 1] > _SMOOTH * steps[first - 2]
-    starts = last + 1 < len(steps) and steps[last] > _SMOOTH * steps[last + 1]
-    return bool(stops or starts)
+def _in_runs(same: NDArray[np.bool_], fewest: int) -> NDArray[np.bool_]:
+    """The true values that are in runs of `fewest` or more."""
+    found = np.zeros_like(same)
+    for a, b in _edges(same):
+        found[a:b] = b - a >= fewest
+    return found
 
 
-def _frozen_note(
-    who: str, question: str, rows: NDArray[np.int64], same: NDArray[np.bool_], runs: list[tuple[int, int]]
-) -> Iterator[str]:
-    outside = np.count_nonzero(same) - sum(b - a for a, b in runs)
-    if runs and outside <= _BY_CHANCE * len(same):
-        frames = rows[np.concatenate([np.arange(a, b + 1) for a, b in runs])]
-        where = rows_in_words(frames.tolist())
-        yield f"{who} at exactly the same place in {len(frames)} frames ({where}): {question}"
+def _in_sudden_runs(same: NDArray[np.bool_], steps: FloatArray) -> NDArray[np.bool_]:
+    """The true values that are in runs at which the motion, with these steps, stops or starts at once.
+
+    None, if it begins or ends with a run, which shows how it rests.
+    """
+    found = np.zeros_like(same)
+    for a, b in [] if same[0] or same[-1] else _edges(same):
+        stops = a > 1 and steps[a - 1] > _SMOOTH * steps[a - 2]
+        starts = b + 1 < len(steps) and steps[b] > _SMOOTH * steps[b + 1]
+        found[a:b] = stops or starts
+    return found
+
+
+def _note(who: str, question: str, rows: NDArray[np.int64], same: NDArray[np.bool_]) -> Iterator[str]:
+    frames = np.append(False, same) | np.append(same, False)
+    if frames.any():
+        where = rows_in_words(rows[frames].tolist())
+        yield f"{who} at exactly the same place in {np.count_nonzero(frames)} frames ({where}): {question}"
 
 
 def _far_from_origin(path: FloatArray, zero: NDArray[np.bool_]) -> NDArray[np.bool_]:

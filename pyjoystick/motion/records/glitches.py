@@ -31,6 +31,12 @@ _FEW: Final = 12
 #: A step faster than the paper's joystick (rad/s) and this many times as fast as all others is no motion.
 _FASTER: Final = 12.0
 _ALONE: Final = 4.0
+#: Between two samples at rest, a joystick accelerates at up to this (rad/s2), up and down. At rest, it moves
+#: less than a tenth as far in this many steps before and behind; a step of few counts may be a rounding.
+_STRONGEST: Final = 2000.0
+_QUIET: Final = 3
+_MULTIPLE_OF_REST: Final = 10.0
+_COUNTS: Final = 3.0
 #: Number of successive samples at which no motion turns back.
 _TURNS: Final = 4
 #: Up to this many samples that are farther outside all others than these are apart, of this many or more.
@@ -110,24 +116,28 @@ def mixture_notes(theta: FloatArray) -> Iterator[str]:
 
 
 def step_notes(time: FloatArray, theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
-    """Note a single step that is far faster than all others, as where the unit of the angle (rad) changes.
+    """Note a single step that is no motion, as where the unit of the angle (rad) or its zero changes.
 
-    Not the first steps after a release, which a light joystick may make between two samples.
+    It is far faster than all others; or it is sudden, between samples at rest. Not the first steps after a
+    release, which a light joystick may make between two samples.
 
     Args are those of `glitch_notes`.
     """
     if len(theta) < _AROUND:
         return
-    steps = np.abs(np.diff(theta))
-    intervals = np.diff(time)
-    rates = steps / np.maximum(intervals, np.median(intervals))  # a jitter of the times is no motion
-    second, i = (int(one) for one in np.argsort(rates)[-2:])
-    size = np.abs(theta)
-    released = size[max(0, i - 1) : i + 1].max() > HELD * size.max()
-    if not released and steps[i] > _APART and rates[i] > max(_FASTER, _ALONE * rates[second]):
+    steps, size = np.abs(np.diff(theta)), np.abs(theta)
+    interval = np.maximum(np.diff(time), np.median(np.diff(time)))  # a jitter of the times is no motion
+    rates = steps / interval
+    second, first = (int(i) for i in np.argsort(rates)[-2:])
+    coarse = _COUNTS * min(steps[steps > 0.0], default=0.0)
+    sudden = np.flatnonzero((steps > max(_APART, coarse)) & (4.0 * steps > _STRONGEST * interval**2)).tolist()
+    found = [i for i in sudden if steps[i] > _MULTIPLE_OF_REST * _largest_beside(steps, i)]
+    if steps[first] > _APART and rates[first] > max(_FASTER, _ALONE * rates[second]):
+        found = [first]
+    if len(found) == 1 and size[max(0, found[0] - 1) : found[0] + 1].max() <= HELD * size.max():
         yield (
-            f"the angle moves by {math.degrees(steps[i]):.2g} degrees between two samples "
-            f"({rows_in_words(rows[i : i + 2].tolist())}), much faster than anywhere else: "
+            f"the angle moves by {math.degrees(steps[found[0]]):.2g} degrees between two samples "
+            f"({rows_in_words(rows[found[0] : found[0] + 2].tolist())}), much faster than anywhere else: "
             "does its unit or its zero change there?"
         )
 
@@ -171,6 +181,11 @@ def _is_apart(off: FloatArray, i: int) -> bool:
     usual = [float(np.median(one)) for one in beside if one.size >= _FEWEST]
     is_largest = bool(off[i] >= max(off[i - 1], off[i + 1]))
     return bool(usual) and is_largest and bool(off[i] > _MULTIPLE * max(usual))
+
+
+def _largest_beside(steps: FloatArray, i: int) -> float:
+    beside = steps[max(0, i - _QUIET) : i], steps[i + 1 : i + 1 + _QUIET]
+    return float(np.max(np.concatenate(beside)))
 
 
 def _comes_back(changes: FloatArray, i: int) -> bool:

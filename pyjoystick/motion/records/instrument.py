@@ -26,6 +26,9 @@ _UNEVEN: Final = 0.02
 HELD: Final = 0.95
 #: Number of equal samples that are examined.
 _EQUAL: Final = 3
+#: This many at the end of a record, after a step more than half as large as the one before, are no rest.
+_END: Final = 10
+_SUDDEN: Final = 0.5
 #: After equal samples, a step of a true motion is at most four times the resolution, including rounding.
 _CATCH_UP: Final = 5.0
 #: Angles closer than this (rad) are equal up to rounding.
@@ -70,10 +73,11 @@ def uneven_notes(time: FloatArray) -> Iterator[str]:
 
 
 def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
-    """Note that the angle stays exactly constant in a motion from side to side, then catches up.
+    """Note that the angle stays exactly constant in a motion from side to side, then catches up or ends.
 
     Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the next step is
-    a few times the resolution; after a freeze, the sensor makes up for all that it missed.
+    a few times the resolution; after a freeze, the sensor makes up for all that it missed. At the end of a
+    record, a joystick slows down before it rests; a sensor that freezes stops at once.
 
     Args:
         theta: the angle (rad), shape (n,)
@@ -83,16 +87,20 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
     swings = find_swings(theta, THRESHOLD * largest) if largest > 0.0 else []
     if len(swings) < 2:
         return
-    edges = np.flatnonzero(np.abs(np.diff(theta)) > _SAME_ANGLE)
+    steps = np.abs(np.diff(theta))
+    edges = np.flatnonzero(steps > _SAME_ANGLE)
     values = np.diff(np.unique(theta))
     values = values[values > _SAME_ANGLE]
     resolution = float(np.min(values)) if values.size else math.inf
     frozen: list[tuple[int, int]] = []
     for before, last in pairwise([-1, *edges.tolist()]):
         moves = theta[last] / swings[0].value < HELD and last < swings[-1].last
-        caught_up = abs(theta[last + 1] - theta[last]) > _CATCH_UP * resolution
-        if last - before >= _EQUAL and moves and caught_up:
+        if last - before >= _EQUAL and moves and steps[last] > _CATCH_UP * resolution:
             frozen.append((before + 1, last))
+    end = int(edges[-1]) + 1
+    sudden = steps[end - 1] > max(_CATCH_UP * resolution, _SUDDEN * steps[end - 2])
+    if len(theta) - end >= _END and sudden and abs(theta[end]) < HELD * largest:
+        frozen.append((end, len(theta) - 1))
     if frozen:
         most = max(last - first + 1 for first, last in frozen)
         where = rows_in_words(int(rows[i]) for first, last in frozen for i in range(first, last + 1))

@@ -148,3 +148,20 @@ compare.inputs = ["T2"]
         "[ties]",
     ], outcome.err
     assert "did you mean J?" in outcome.err
+
+
+@pytest.mark.parametrize("fixed", ["h", "forward.returnSpring.F_0"])
+def test_a_tie_to_a_parameter_that_is_not_free(fixed: str, command: Command, tmp_path: Path) -> None:
+    (tmp_path / "fit.toml").write_text(
+        f"""
+fmu.path = "Joystick"
+free.J = {{}}
+parameters."{fixed}" = 0.02
+ties."backward.returnSpring.F_0" = "1e-3 * J * {fixed}"
+""",
+        encoding="utf-8",
+    )
+    outcome = command("check", "fit.toml")
+    assert outcome.code == 1
+    assert "[ties] backward.returnSpring.F_0 = " in outcome.err
+    assert f"must be an expression in the free parameters (J), without {fixed}" in outcome.err

@@ -120,6 +120,13 @@ def test_a_crash_is_not_blamed_on_what_earlier_runs_printed(foreign: Fmu) -> Non
     assert "printed" not in str(caught.value)
 
 
+def test_an_fmu_may_close_the_standard_streams(foreign: Fmu) -> None:
+    for trouble in (Trouble.CLOSES_STREAMS, Trouble.NONE, Trouble.NONE):
+        assert run(foreign, trouble) == pytest.approx(TIME)
+    with pytest.raises(FmuCrashError, match=CRASHES[Trouble.ABORTS]):
+        run(foreign, Trouble.ABORTS)
+
+
 @pytest.mark.parametrize("own_process", [False, True], ids=["here", "apart"])
 @pytest.mark.parametrize("version", [2, 3])
 def test_every_run_is_that_of_a_new_instance(
@@ -243,8 +250,8 @@ def test_settings(awkward_path: Path) -> None:
     with pytest.raises(ParameterError, match="time_limit = 0"):
         Fmu(awkward_path, time_limit=0.0)
     fmu = Fmu(awkward_path)
-    with pytest.raises(ParameterError, match="trouble = 19"):
-        fmu.run(TIME, parameters={"trouble": 19})
+    with pytest.raises(ParameterError, match="trouble = 20"):
+        fmu.run(TIME, parameters={"trouble": 20})
     fmu.close()
     with pytest.raises(PyJoystickError, match="has been closed"):
         fmu.run(TIME)

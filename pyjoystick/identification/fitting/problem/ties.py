@@ -14,7 +14,7 @@ import numpy as np
 from pyjoystick.fmu import FmuDescription
 from pyjoystick.support import ParameterError, UnknownParameterError
 
-_NAME = re.compile(r"[A-Za-z_][\w.\[\]]*")
+_NAME = re.compile(r"(?<![\w.])[A-Za-z_][\w.\[\]]*")  # not the e of 1e-3
 
 
 def names_in(expressions: Iterable[str]) -> set[str]:
@@ -37,8 +37,8 @@ class Ties:
             description: description of the FMU
 
         Raises:
-            UnknownParameterError: the FMU has no such parameter, or an expression uses one that is not free
-            ParameterError: an expression cannot be parsed
+            UnknownParameterError: the FMU has no such parameter
+            ParameterError: an expression cannot be parsed, or uses a parameter of the FMU that is not free
         """
         self._own = [_identifier(name) for name in names]
         self._expressions: dict[str, tuple[str, ast.expr]] = {}
@@ -47,10 +47,13 @@ class Ties:
         self._interpreter = asteval.Interpreter(err_writer=io.StringIO())
         self._interpreter.symtable.update(dict.fromkeys(self._own, 1.0))
         known = {name: _identifier(name) for name in (*names, *ties)}
+        allowed = "an expression in the free parameters" + (f" ({', '.join(names)})" if names else "")
         for name, expression in ties.items():
             if name not in description.variables:
                 raise UnknownParameterError(name, description.settable_names())
             for word in sorted(names_in([expression])):
+                if word in description.variables and word not in known:
+                    raise ParameterError(f"ties.{name}", expression, f"{allowed}, without {word}")
                 if "." in word and word not in known:
                     raise UnknownParameterError(word, known)
             translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
@@ -58,7 +61,6 @@ class Ties:
                 self._expressions[_identifier(name)] = translated, ast.parse(translated, mode="eval").body
                 self._evaluate(_identifier(name))
             except (NameError, SyntaxError, TypeError, ValueError):
-                allowed = f"an expression in {', '.join(names)}"
                 raise ParameterError(f"ties.{name}", expression, allowed) from None
 
     def values(self, own: Sequence[float]) -> list[float]:

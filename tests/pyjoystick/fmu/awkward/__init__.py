@@ -37,6 +37,7 @@ class Trouble(IntEnum):
     KEEPS_STATE = 16
     STOPS_SHORT = 17
     ABORTS_AFTERWARDS = 18
+    CLOSES_STREAMS = 19
 
 
 def compile_library(version: int, folder: Path) -> Path:
@@ -61,7 +62,7 @@ def _text(source: Path) -> str:
     return re.sub(r"GETTER\((\w+),", r" fmi3Get\1(", source.read_text())
 
 
-#: What ends the process that the FMU runs in, never comes back, or prints.
+#: What ends the process that the FMU runs in, never comes back, prints, or closes streams.
 ROUGH = (
     Trouble.FOREVER,
     Trouble.EXITS,
@@ -69,6 +70,7 @@ ROUGH = (
     Trouble.CRASHES,
     Trouble.PRINTS,
     Trouble.ABORTS_AFTERWARDS,
+    Trouble.CLOSES_STREAMS,
 )
 
 

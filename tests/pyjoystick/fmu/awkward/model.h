@@ -12,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 /* Value references. */
 enum { GAIN = 1, WHEN, DELAY, TROUBLE, FLAG, LABEL, TINY, U = 11, Y = 21, STEPS, NEGATED, LENGTH, TWICE, STOP };
@@ -36,7 +37,8 @@ enum {
     PRINTS,
     KEEPS_STATE,
     STOPS_SHORT,
-    ABORTS_AFTERWARDS
+    ABORTS_AFTERWARDS,
+    CLOSES_STREAMS
 };
 
 /* The same in both versions of FMI. */
@@ -118,6 +120,8 @@ static int model_step(Model *model, double time, double length)
         raise(SIGSEGV);
     if (trouble == PRINTS)
         model_print();
+    for (int stream = 0; trouble == CLOSES_STREAMS && stream <= 2; ++stream)
+        close(stream);
     model->has_ended = trouble == ENDS;
     length *= model->has_ended ? 0.5 : 1.0;
     model->reached = time + length;

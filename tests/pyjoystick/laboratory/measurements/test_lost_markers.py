@@ -94,3 +94,34 @@ def test_a_recording_that_freezes_is_noted(first: int, count: int, noise: float,
     [note] = read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes
     place = f"in {count} frames (rows {first + 2}-{first + count + 1})"
     assert note == f"all markers are at exactly the same place {place}: did the recording freeze?"
+
+
+@pytest.mark.parametrize("frozen", ["TOP", "BASE2", "all"])
+@pytest.mark.parametrize("place", ["start", "end", "before a loss"])
+def test_a_freeze_at_an_end_or_beside_lost_frames_is_noted(frozen: str, place: str, tmp_path: Path) -> None:
+    points = _points((400.0, 1200.0, 900.0))
+    points[LOST, 0] = points[49, 0]
+    part = {"start": slice(0, 60), "end": slice(120, 180), "before a loss": slice(100, 120)}[place]
+    which = slice(None) if frozen == "all" else NAMES.index(frozen)
+    points[LOST, 0] += np.random.default_rng(5).normal(0.0, 0.2, (7, 3))
+    points[part, which] = points[part.start, which]
+    if place == "before a loss":
+        points[120:125, which] = np.nan
+    (note,) = read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes
+    who = "all markers are" if frozen == "all" else f"marker {frozen} is"
+    count = part.stop - part.start
+    assert note.startswith(f"{who} at exactly the same place in {count} frames (rows {part.start + 2}-")
+
+
+@pytest.mark.parametrize("step", [0.1, 1.0])
+@pytest.mark.parametrize("seed", range(5))
+def test_coarse_coordinates_repeat_by_chance(step: float, seed: int, tmp_path: Path) -> None:
+    """Two strokes with a rest between them; noise of a fifth of the rounding."""
+    time = np.arange(480) / 120.0
+    theta = 0.3 * np.cos(np.pi * (np.clip(time, 0.0, 1.0) + np.clip(time, 3.0, 4.0)))
+    top = np.column_stack((280.0 * np.sin(theta), 0.0 * theta, 280.0 * np.cos(theta)))
+    base = [np.broadcast_to([0.0, side, -100.0], top.shape) for side in (-50.0, 50.0)]
+    points = np.stack((top, *base), axis=1) + 400.0
+    points += np.random.default_rng(seed).normal(0.0, 0.2 * step, points.shape)
+    text = plain_text(time, np.round(points / step) * step)
+    assert read_markers(write(tmp_path / "a.csv", text)).notes == ()

@@ -366,3 +366,43 @@ def test_a_unit_or_a_zero_that_changes_is_noted(
         f"the angle moves by {size} degrees between two samples (rows 75-76), much faster than anywhere else"
     )
     assert [note.partition(":")[0] for note in notes] == [told]
+
+
+@pytest.mark.parametrize("rate", [240.0, 1000.0])
+def test_a_zero_that_changes_at_rest_is_noted(rate: float, tmp_path: Path) -> None:
+    time = np.arange(int(2.0 * rate)) / rate
+    angle = 20.0 * np.exp(-6.0 * time) * np.cos(25.0 * time)
+    angle += 0.03 * np.random.default_rng(2).standard_normal(len(time))
+    angle[int(1.5 * rate) :] += 2.0
+    notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    place = int(1.5 * rate) + 1
+    assert any(f"between two samples (rows {place}-{place + 1}), much faster" in note for note in notes)
+
+
+@pytest.mark.parametrize("rate", [60.0, 100.0, 240.0])
+def test_the_release_of_a_light_joystick_is_no_change_of_its_zero(rate: float, tmp_path: Path) -> None:
+    time = np.arange(int(2.0 * rate)) / rate
+    moved = np.maximum(time - 0.5, 0.0)
+    angle = 18.0 * np.exp(-40.0 * moved) * np.cos(60.0 * moved) + 0.01 * np.sin(40.0 * time)
+    notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    assert not any("much faster" in note for note in notes)
+
+
+def test_an_angle_that_freezes_until_the_end_is_noted(tmp_path: Path) -> None:
+    time = np.arange(480) / 240.0
+    angle = 20.0 * np.exp(-1.5 * time) * np.cos(12.0 * time)
+    assert read_log(written(tmp_path / "whole.csv", text(HEADINGS[:2], time, angle))).notes == ()
+    angle[200:] = angle[200]
+    (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    assert note.startswith("the angle stays exactly the same for up to 280 samples")
+    assert "(rows 202-481)" in note
+
+
+def test_a_joystick_that_sticks_does_not_freeze(tmp_path: Path) -> None:
+    """Coulomb friction ends its last swing; a coarse encoder and an exact simulation."""
+    time = np.arange(480) / 240.0
+    swing = np.where(time < 0.75, 20.0 - 12.0 * time, 11.0) * np.cos(4.0 * np.pi * time)
+    angle = np.where(time < 1.0, swing, 11.0)
+    for decimals in (1, 6):
+        rows = text(HEADINGS[:2], time, np.round(angle, decimals))
+        assert read_log(written(tmp_path / f"{decimals}.csv", rows)).notes == ()
