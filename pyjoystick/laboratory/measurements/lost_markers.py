@@ -22,12 +22,10 @@ _ALL_FROZEN: Final = 2
 #: if few other frames repeat the one before, and not nearly all frames do.
 _BY_CHANCE: Final = 0.01
 _MOST: Final = 0.9
-#: All together must be expected to repeat their place this often only, by their shares of other repeats.
+#: All together must be expected to repeat their place this often only, by their shares of other repeats;
 _UNLIKELY: Final = 0.05
-#: A marker with more repeats than this does not tremble.
+#: with a larger share in one of them they may be at rest: simulated, or rounded to more than their noise.
 _TREMBLING: Final = 0.1
-#: A motion that comes to rest moves less than a third as far between the last two frames as before them.
-_SMOOTH: Final = 0.5
 
 
 def without_lost(markers: Markers) -> Markers:
@@ -65,10 +63,8 @@ def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
     together = (still | lost[1:] & lost[:-1]).all(axis=1) & still.any(axis=1)
     frozen = _in_runs(together, _ALL_FROZEN)
     shares = [_share(still[:, i], seen[:, i] & ~frozen) for i in range(len(markers.names))]
-    if max(shares) > _TREMBLING:  # such markers may be at rest
-        steps = np.sqrt(np.nansum(changes**2, axis=(1, 2)))
-        frozen = _in_sudden_runs(frozen, steps)
-    if len(still) * math.prod(shares) <= _UNLIKELY and frozen.mean() < _MOST:
+    trembling = max(shares) <= _TREMBLING and len(still) * math.prod(shares) <= _UNLIKELY
+    if trembling and frozen.mean() < _MOST:
         yield from _note("all markers are", "did the recording freeze?", markers.rows, frozen)
 
 
@@ -88,19 +84,6 @@ def _in_runs(same: NDArray[np.bool_], fewest: int) -> NDArray[np.bool_]:
     found = np.zeros_like(same)
     for a, b in _edges(same):
         found[a:b] = b - a >= fewest
-    return found
-
-
-def _in_sudden_runs(same: NDArray[np.bool_], steps: FloatArray) -> NDArray[np.bool_]:
-    """The true values that are in runs at which the motion, with these steps, stops or starts at once.
-
-    None, if it begins or ends with a run, which shows how it rests.
-    """
-    found = np.zeros_like(same)
-    for a, b in [] if same[0] or same[-1] else _edges(same):
-        stops = a > 1 and steps[a - 1] > _SMOOTH * steps[a - 2]
-        starts = b + 1 < len(steps) and steps[b] > _SMOOTH * steps[b + 1]
-        found[a:b] = stops or starts
     return found
 
 

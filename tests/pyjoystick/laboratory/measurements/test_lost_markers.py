@@ -82,14 +82,13 @@ def test_markers_at_rest_are_not_lost(digits: int, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("first", [22, 37, 80, 105])
 @pytest.mark.parametrize("count", [3, 20])
-@pytest.mark.parametrize("noise", [0.0, 0.2])
-def test_a_recording_that_freezes_is_noted(first: int, count: int, noise: float, tmp_path: Path) -> None:
-    """In a motion, at its turns, and in one without noise, whose base markers never move."""
+def test_a_recording_that_freezes_is_noted(first: int, count: int, tmp_path: Path) -> None:
+    """In a motion and at its turns."""
     theta = 0.3 * np.sin(2.0 * np.pi * TIME)
     top = np.column_stack((280.0 * np.sin(theta), 0.0 * theta, 280.0 * np.cos(theta)))
     base = [np.broadcast_to([0.0, side, -100.0], top.shape) for side in (-50.0, 50.0)]
     points = np.stack((top, *base), axis=1) + 400.0
-    points += np.random.default_rng(3).normal(0.0, noise, points.shape)
+    points += np.random.default_rng(3).normal(0.0, 0.2, points.shape)
     points[first : first + count] = points[first]
     [note] = read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes
     place = f"in {count} frames (rows {first + 2}-{first + count + 1})"
