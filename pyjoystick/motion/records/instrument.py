@@ -26,9 +26,11 @@ _UNEVEN: Final = 0.02
 HELD: Final = 0.95
 #: Number of equal samples that are examined.
 _EQUAL: Final = 3
-#: This many at the end of a record, after a step more than half as large as the one before, are no rest.
+#: This many at the end of a record are no rest, if the step before them is more than half as large as the one
+#: before it, and more than this part of the largest.
 _END: Final = 10
 _SUDDEN: Final = 0.5
+_FAST: Final = 0.1
 #: After equal samples, a step of a true motion is at most four times the resolution, including rounding.
 _CATCH_UP: Final = 5.0
 #: Angles closer than this (rad) are equal up to rounding.
@@ -98,8 +100,8 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
         if last - before >= _EQUAL and moves and steps[last] > _CATCH_UP * resolution:
             frozen.append((before + 1, last))
     end = int(edges[-1]) + 1
-    sudden = steps[end - 1] > max(_CATCH_UP * resolution, _SUDDEN * steps[end - 2])
-    if len(theta) - end >= _END and sudden and abs(theta[end]) < HELD * largest:
+    slow = max(_CATCH_UP * resolution, _SUDDEN * steps[end - 2], _FAST * steps.max())
+    if len(theta) - end >= _END and steps[end - 1] > slow and abs(theta[end]) < HELD * largest:
         frozen.append((end, len(theta) - 1))
     if frozen:
         most = max(last - first + 1 for first, last in frozen)
