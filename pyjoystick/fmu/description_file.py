@@ -59,10 +59,9 @@ def read_description(path: Path) -> FmuDescription:
         raise
     except Exception as error:  # FMPy passes on any error of its parser
         said = str(error)[:_MOST_SAID]  # of a damaged archive, an error quotes whatever follows in it
-        said = f"{type(error).__name__}: {said}"
-        if isinstance(error, IndexError):
-            said = "an index in its ModelStructure belongs to no variable"
-        reason = f"its modelDescription.xml cannot be read: {said}"
+        known = isinstance(error, IndexError)
+        cause = "an index belongs to no variable" if known else f"{type(error).__name__}: {said}"
+        reason = f"its modelDescription.xml cannot be read: {cause}"
         raise FmuFileError(path, reason) from error
 
 

@@ -52,8 +52,7 @@ def without_lost(markers: Markers) -> Markers:
 
 def _frozen(markers: Markers, positions: FloatArray) -> Iterator[str]:
     """Note markers that stay exactly where they are for some frames, but move or tremble in the others."""
-    changes = np.diff(positions, axis=0)
-    still = (changes == 0.0).all(axis=2)
+    still = (np.diff(positions, axis=0) == 0.0).all(axis=2)
     lost = np.asarray(np.isnan(positions).any(axis=2))
     seen = ~(lost[1:] | lost[:-1])
     for i, name in enumerate(markers.names):
@@ -73,16 +72,11 @@ def _share(still: NDArray[np.bool_], among: NDArray[np.bool_]) -> float:
     return float(still[among].mean()) if among.any() else 1.0
 
 
-def _edges(same: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """Begin and end of each run of true values, as for slices."""
-    edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
-    return [(a, b) for a, b in edges.reshape(-1, 2).tolist()]
-
-
 def _in_runs(same: NDArray[np.bool_], fewest: int) -> NDArray[np.bool_]:
     """The true values that are in runs of `fewest` or more."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], same, [False])).astype(np.int8)))
     found = np.zeros_like(same)
-    for a, b in _edges(same):
+    for a, b in edges.reshape(-1, 2).tolist():
         found[a:b] = b - a >= fewest
     return found
 

@@ -129,17 +129,15 @@ def step_notes(time: FloatArray, theta: FloatArray, rows: NDArray[np.int64]) -> 
     interval = np.maximum(np.diff(time), np.median(np.diff(time)))  # a jitter of the times is no motion
     rates = steps / interval
     second, first = (int(i) for i in np.argsort(rates)[-2:])
-    coarse = _COUNTS * min(steps[steps > 0.0], default=0.0)
-    sudden = np.flatnonzero((steps > max(_APART, coarse)) & (4.0 * steps > _STRONGEST * interval**2)).tolist()
-    found = [i for i in sudden if steps[i] > _MULTIPLE_OF_REST * _largest_beside(steps, i)]
-    if steps[first] > _APART and rates[first] > max(_FASTER, _ALONE * rates[second]):
-        found = [first]
-    if len(found) == 1 and size[max(0, found[0] - 1) : found[0] + 1].max() <= HELD * size.max():
-        yield (
-            f"the angle moves by {math.degrees(steps[found[0]]):.2g} degrees between two samples "
-            f"({rows_in_words(rows[found[0] : found[0] + 2].tolist())}), much faster than anywhere else: "
-            "does its unit or its zero change there?"
-        )
+    is_fastest = steps[first] > _APART and rates[first] > max(_FASTER, _ALONE * rates[second])
+    found = [first] if is_fastest else _steps_at_rest(steps, interval)
+    for i in found if len(found) == 1 else ():
+        if size[max(0, i - 1) : i + 1].max() <= HELD * size.max():
+            yield (
+                f"the angle moves by {math.degrees(steps[i]):.2g} degrees between two samples "
+                f"({rows_in_words(rows[i : i + 2].tolist())}), much faster than anywhere else: "
+                "does its unit or its zero change there?"
+            )
 
 
 def doubts(
@@ -183,9 +181,16 @@ def _is_apart(off: FloatArray, i: int) -> bool:
     return bool(usual) and is_largest and bool(off[i] > _MULTIPLE * max(usual))
 
 
-def _largest_beside(steps: FloatArray, i: int) -> float:
-    beside = steps[max(0, i - _QUIET) : i], steps[i + 1 : i + 1 + _QUIET]
-    return float(np.max(np.concatenate(beside)))
+def _steps_at_rest(steps: FloatArray, interval: FloatArray) -> list[int]:
+    """Indices of steps (rad), in their intervals (s), that are too sudden for a joystick at rest."""
+    counts = _COUNTS * min(steps[steps > 0.0], default=0.0)
+    sudden = (steps > max(_APART, counts)) & (4.0 * steps > _STRONGEST * interval**2)
+    found = []
+    for i in np.flatnonzero(sudden).tolist():
+        beside = np.concatenate((steps[max(0, i - _QUIET) : i], steps[i + 1 : i + 1 + _QUIET]))
+        if steps[i] > _MULTIPLE_OF_REST * beside.max():
+            found.append(i)
+    return found
 
 
 def _comes_back(changes: FloatArray, i: int) -> bool:

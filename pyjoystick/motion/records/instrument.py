@@ -100,8 +100,7 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
         if last - before >= _EQUAL and moves and steps[last] > _CATCH_UP * resolution:
             frozen.append((before + 1, last))
     end = int(edges[-1]) + 1
-    slow = max(_CATCH_UP * resolution, _SUDDEN * steps[end - 2], _FAST * steps.max())
-    if len(theta) - end >= _END and steps[end - 1] > slow and abs(theta[end]) < HELD * largest:
+    if abs(theta[end]) < HELD * largest and _stops_at_once(steps, end, resolution):
         frozen.append((end, len(theta) - 1))
     if frozen:
         most = max(last - first + 1 for first, last in frozen)
@@ -110,3 +109,9 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
             f"the angle stays exactly the same for up to {most} samples while the joystick moves ({where}): "
             "did the sensor freeze, reach the end of its range, or is it slower than the record?"
         )
+
+
+def _stops_at_once(steps: FloatArray, end: int, resolution: float) -> bool:
+    """Whether steps (rad) do not slow down before the equal samples from `end` to the last."""
+    slow = max(_CATCH_UP * resolution, _SUDDEN * steps[end - 2], _FAST * steps.max())
+    return len(steps) - end >= _END - 1 and bool(steps[end - 1] > slow)
