@@ -121,7 +121,7 @@ def test_a_crash_is_not_blamed_on_what_earlier_runs_printed(foreign: Fmu) -> Non
 
 
 def test_an_fmu_may_close_the_standard_streams(foreign: Fmu) -> None:
-    for trouble in (Trouble.CLOSES_STREAMS, Trouble.NONE, Trouble.NONE):
+    for trouble in (Trouble.CLOSES_STREAMS, Trouble.NONE, Trouble.CLOSES_STREAMS, Trouble.NONE):
         assert run(foreign, trouble) == pytest.approx(TIME)
     with pytest.raises(FmuCrashError, match=CRASHES[Trouble.ABORTS]):
         run(foreign, Trouble.ABORTS)

@@ -124,3 +124,11 @@ def test_coarse_coordinates_repeat_by_chance(step: float, seed: int, tmp_path: P
     points += np.random.default_rng(seed).normal(0.0, 0.2 * step, points.shape)
     text = plain_text(time, np.round(points / step) * step)
     assert read_markers(write(tmp_path / "a.csv", text)).notes == ()
+
+
+def test_a_marker_that_was_measured_once_is_not_lost(tmp_path: Path) -> None:
+    """A base marker in one place throughout, beside a trembling one."""
+    points = _points((400.0, 1200.0, 900.0))
+    points[LOST, 0] = np.nan
+    points[:, 1] = points[0, 1]
+    assert read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes == ()
