@@ -127,8 +127,8 @@ def test_coarse_coordinates_repeat_by_chance(step: float, seed: int, tmp_path: P
 
 
 def test_a_marker_that_was_measured_once_is_not_lost(tmp_path: Path) -> None:
-    """A base marker in one place throughout, beside a trembling one."""
+    """A base marker in one place, and after a correction in another one, beside a trembling one."""
     points = _points((400.0, 1200.0, 900.0))
     points[LOST, 0] = np.nan
-    points[:, 1] = points[0, 1]
+    points[:90, 1], points[90:, 1] = points[0, 1], points[90, 1]
     assert read_markers(write(tmp_path / "a.csv", plain_text(TIME, points))).notes == ()

@@ -392,7 +392,8 @@ def test_a_slow_record_may_miss_a_whole_motion(tmp_path: Path) -> None:
     """Moved to the other side and held there, between two samples."""
     time = np.arange(40) / 10.0
     angle = np.where(time < 2.0, -5.0, 5.0) + 0.01 * np.sin(40.0 * time)
-    assert read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes == ()
+    notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    assert not any("much faster" in note for note in notes)
 
 
 def test_an_angle_that_freezes_until_the_end_is_noted(tmp_path: Path) -> None:
