@@ -391,7 +391,7 @@ def test_the_release_of_a_light_joystick_is_no_change_of_its_zero(rate: float, t
 def test_a_slow_record_may_miss_a_whole_motion(tmp_path: Path) -> None:
     """Moved to the other side and held there, between two samples."""
     time = np.arange(40) / 10.0
-    angle = np.where(time < 2.0, -5.0, 5.0) + 0.01 * np.sin(40.0 * time)
+    angle = np.where(time < 2.0, -3.0, 6.0) + 0.01 * np.sin(40.0 * time)
     notes = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
     assert not any("much faster" in note for note in notes)
 
