@@ -53,7 +53,7 @@ class Ties:
                 raise UnknownParameterError(name, description.settable_names())
             for word in sorted(names_in([expression])):
                 if word in description.variables and word not in known:
-                    raise ParameterError(f"ties.{name}", expression, f"{allowed}, without {word}")
+                    raise ParameterError(f"ties.{name}", expression, allowed, f"{word} is not free")
                 if "." in word and word not in known:
                     raise UnknownParameterError(word, known)
             translated = _NAME.sub(lambda match: known.get(match[0], match[0]), expression)
