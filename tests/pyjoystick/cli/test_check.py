@@ -164,4 +164,4 @@ ties."backward.returnSpring.F_0" = "1e-3 * J * {fixed}"
     outcome = command("check", "fit.toml")
     assert outcome.code == 1
     assert "[ties] backward.returnSpring.F_0 = " in outcome.err
-    assert f"must be an expression in the free parameters (J); {fixed} is not free" in outcome.err
+    assert f"must be an expression in the free parameters: J ({fixed} is not free)" in outcome.err

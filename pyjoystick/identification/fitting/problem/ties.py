@@ -47,7 +47,7 @@ class Ties:
         self._interpreter = asteval.Interpreter(err_writer=io.StringIO())
         self._interpreter.symtable.update(dict.fromkeys(self._own, 1.0))
         known = {name: _identifier(name) for name in (*names, *ties)}
-        allowed = "an expression in the free parameters" + (f" ({', '.join(names)})" if names else "")
+        allowed = "an expression in the free parameters" + (f": {', '.join(names)}" if names else "")
         for name, expression in ties.items():
             if name not in description.variables:
                 raise UnknownParameterError(name, description.settable_names())
