@@ -145,6 +145,11 @@ def _refusal(kind: str, fields: Fields) -> str:
             "equations that determine several derivatives together, such as der(x) + der(y) = 1 and "
             "der(x) - der(y) = 0, are not supported; write v = der(x) and w = der(y), and use v and w in them"
         )
+    if "Function" in kind:
+        return (
+            "a function that is called here has a loop, or a sum() or the like, beside an if-statement in an "
+            "unsupported combination; write the loop or the sum out"
+        )
     detail = f" {fields['op']}" if "op" in fields else ""
     return f"operation {kind}{detail} of the Solve IR is not supported"
 

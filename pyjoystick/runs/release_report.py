@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+import numpy as np
 import pandas as pd
 
 from pyjoystick.fmu import FmuDescription
@@ -19,7 +20,7 @@ class ReleasePeak(NamedTuple):
     Attributes:
         time: time of the peak (s)
         theta: displacement (rad)
-        half_period: time since the previous peak (s); NaN for the first one
+        half_period: time since the previous peak (s), if that is on the other side; else NaN
     """
 
     time: float
@@ -36,9 +37,10 @@ def release_peak_rows(run: pd.DataFrame) -> list[ReleasePeak]:
     if len(run) < 3:
         return []
     peaks = find_peaks(run.index, run["theta"], run["omega"])
-    return [
-        ReleasePeak(*row) for row in zip(peaks["time"], peaks["value"], peaks["time"].diff(), strict=True)
-    ]
+    # Within the springs' clearance, a joystick may swing about a place beside the middle.
+    changes_side = np.sign(peaks["value"]).diff() != 0.0
+    half_periods = peaks["time"].diff().where(changes_side)
+    return [ReleasePeak(*row) for row in zip(peaks["time"], peaks["value"], half_periods, strict=True)]
 
 
 def release_json(

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pyjoystick.motion.columns import Heading, TableHead
-from pyjoystick.motion.logs.headings import is_unit, understood
+from pyjoystick.motion.logs.headings import is_unit, meaning, understood
 from pyjoystick.motion.logs.row_widths import Misfit, Row, of_one_width, shifted
 from pyjoystick.motion.logs.time_cells import NOTHING, clock_of, of_another_kind, plain_numbers
 from pyjoystick.motion.records.errors import RecordError
@@ -262,8 +262,16 @@ def _is_heading(cells: Sequence[str], width: int) -> bool:
 
 
 def _is_units(cells: Sequence[str]) -> bool:
+    """Whether the cells may be units, in brackets or not; headings with units of their own are none."""
     filled = [cell.strip("[](){}<> ") for cell in cells if cell.strip("-[](){}<> ")]
-    return any(map(is_unit, filled)) and all(len(cell) <= 8 for cell in filled)
+    may_be = any(map(is_unit, filled)) and all(len(cell) <= 8 for cell in filled)
+    return may_be and not any(map(_is_name_with_unit, cells))
+
+
+def _is_name_with_unit(cell: str) -> bool:
+    """Whether a cell is ``Time(s)`` or ``t/s`` rather than ``(s)`` or ``m/s``."""
+    heading = understood(cell)
+    return is_unit(heading.unit) and meaning(heading.name) is not None
 
 
 def _headings(texts: Sequence[str], units: Sequence[str]) -> list[Heading]:

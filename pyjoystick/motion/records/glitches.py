@@ -32,7 +32,7 @@ _FEW: Final = 12
 _FASTER: Final = 12.0
 _ALONE: Final = 4.0
 #: Between two samples at rest, a joystick accelerates at up to this (rad/s2), up and down. At rest, it moves
-#: less than a tenth as far in this many steps before and behind; a step of few counts may be a rounding.
+#: less than a tenth as fast in this many steps before and behind; a step of few counts may be a rounding.
 _STRONGEST: Final = 2000.0
 _QUIET: Final = 3
 _MULTIPLE_OF_REST: Final = 10.0
@@ -185,10 +185,10 @@ def _steps_at_rest(steps: FloatArray, interval: FloatArray) -> list[int]:
     """Indices of steps (rad), in their intervals (s), that are too sudden for a joystick at rest."""
     counts = _COUNTS * min(steps[steps > 0.0], default=0.0)
     sudden = (steps > max(_APART, counts)) & (4.0 * steps > _STRONGEST * interval**2)
-    found = []
+    rates, found = steps / interval, []
     for i in np.flatnonzero(sudden).tolist():
-        beside = np.concatenate((steps[max(0, i - _QUIET) : i], steps[i + 1 : i + 1 + _QUIET]))
-        if steps[i] > _MULTIPLE_OF_REST * beside.max():
+        beside = np.concatenate((rates[max(0, i - _QUIET) : i], rates[i + 1 : i + 1 + _QUIET]))
+        if rates[i] > _MULTIPLE_OF_REST * beside.max():
             found.append(i)
     return found
 

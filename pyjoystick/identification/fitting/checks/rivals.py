@@ -13,7 +13,7 @@ import numpy as np
 from pyjoystick.fmu import Fmu, FmuNotFoundError, find_fmu
 from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.checks.score_test import Finding
-from pyjoystick.identification.fitting.checks.suspect import Suspect
+from pyjoystick.identification.fitting.checks.suspect import NEAR, Suspect
 from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
@@ -26,9 +26,6 @@ from pyjoystick.support import FloatArray, ParameterError
 _FRICTION: Final = "friction."
 _EVALUATIONS: Final = 40
 _ANGLE: Final = "theta"
-#: A rival whose parameters are not within this factor of the fit's is none: no instrument error or small
-#: missing effect moves them that far, and far away a run may take a thousand times as long.
-_NEAR: Final = 10.0
 #: Parameters that change sign with the angle.
 _TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
 
@@ -111,7 +108,7 @@ def _refitted(
         return finding
     start = np.concatenate((x, rival.variables.start[len(x) :]))
     best, part = _better(rival, start, problem, settings, x)
-    sizes = best[len(x) :]
+    sizes = best[len(x) :] - [_value(problem, one.name) for one in suspect.free]
     if part <= finding.explained:
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
@@ -123,6 +120,12 @@ def _has(problem: Problem, name: str) -> bool:
     return any(
         isinstance(one, TrajectoryPredictor) and name in one.motion.known for one in problem.predictors
     )
+
+
+def _value(problem: Problem, name: str) -> float:
+    """Value of what the fit does not vary: zero for the instrument, and for what its FMU does not have."""
+    motion = next(one.motion for one in problem.predictors if isinstance(one, TrajectoryPredictor))
+    return motion.value(name) if name in motion.known else 0.0
 
 
 def _mirrored(problem: Problem, settings: FitSettings, x: FloatArray, make: Make) -> Finding | None:
@@ -157,8 +160,8 @@ def _near(free: Sequence[Free], problem: Problem, x: FloatArray) -> tuple[Free, 
     for one in free:
         if one.name in values:
             variable, value = values[one.name]
-            low = max(variable.minimum, value / _NEAR) if variable.minimum > 0.0 else variable.minimum
-            high = min(variable.maximum, value * _NEAR)
+            low = max(variable.minimum, value / NEAR) if variable.minimum > 0.0 else variable.minimum
+            high = min(variable.maximum, value * NEAR)
             # A measured start stays, which is not only where the search begins.
             start = value if one.uncertainty is None else one.start
             one = replace(one, start=start, minimum=low, maximum=high)

@@ -15,6 +15,9 @@ from pyjoystick.support import FloatArray
 
 #: Stops and limits are tried at these parts of the largest angle on either side.
 LEVELS: Final = (0.9, 0.75, 0.6)
+#: A fit that includes a suspect keeps its parameters within this factor of the fit's: no instrument error or
+#: small missing effect moves them that far, and far away a run may take a thousand times as long.
+NEAR: Final = 10.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,7 +30,7 @@ class Suspect:
         says: part of a sentence that gives its size, from the estimates of its columns; empty if it has none
         one_sided: whether only a positive size makes sense
         own: whether each record has its own size
-        free: free parameters of a fit that includes it; empty if no FMU has them
+        free: free parameters of a fit that includes it; empty if no FMU has them, or if it is not tried
         alternatives: number of other suspects of its kind
         usual: whether most joysticks or records have it, with one sign; it is tested at a level of its own
     """
@@ -47,6 +50,12 @@ def each(
 ) -> tuple[FloatArray, ...]:
     """One column for each motion, as a suspect needs them."""
     return tuple(column(one)[:, np.newaxis] for one in motions)
+
+
+def near(name: str, value: float) -> Free:
+    """A free parameter near its value in a fit; one that is not above zero keeps its usual bounds."""
+    bounds = (value / NEAR, value * NEAR) if value > 0.0 else (None, None)
+    return Free(name, value, *bounds)
 
 
 def limits(values: Sequence[FloatArray]) -> list[float]:

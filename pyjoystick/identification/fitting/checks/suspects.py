@@ -17,7 +17,15 @@ import numpy as np
 from pyjoystick.fmu import REALS
 from pyjoystick.identification.fitting.checks.fitted_motion import FittedMotion
 from pyjoystick.identification.fitting.checks.instrument_suspects import instruments
-from pyjoystick.identification.fitting.checks.suspect import LEVELS, Suspect, beyond, each, largest, limits
+from pyjoystick.identification.fitting.checks.suspect import (
+    LEVELS,
+    Suspect,
+    beyond,
+    each,
+    largest,
+    limits,
+    near,
+)
 from pyjoystick.identification.fitting.problem.joystick_settings import (
     PIVOT_FRICTION,
     PLUNGER_FRICTION,
@@ -171,10 +179,16 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
             "another moment of inertia",
             columns(["J"]),
             lambda s: f"J {100.0 * s[0] / inertia:+.2g} %",
+            free=(near("J", inertia),),
         )
     if free("m") and "M_g" in predictor.motion.known:
         mass = predictor.motion.value("m")
-        yield Suspect("another mass", columns(["m"]), lambda s: f"m {100.0 * s[0] / mass:+.2g} %")
+        yield Suspect(
+            "another mass",
+            columns(["m"]),
+            lambda s: f"m {100.0 * s[0] / mass:+.2g} %",
+            free=(near("m", mass),),
+        )
     springs = [name for name in _SPRINGS if free(name)]
     if springs:
         values = np.array([predictor.motion.value(name) for name in springs])
@@ -184,6 +198,7 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
             lambda s: ", ".join(
                 f"{name} {part:+.2g} %" for name, part in zip(springs, 100.0 * s / values, strict=True)
             ),
+            free=tuple(map(near, springs, values.tolist())),
         )
 
 

@@ -26,7 +26,9 @@ FREE_OSCILLATION: Final[dict[str, Schema]] = {
     "theta_start": si("rad"),
     "duration": si("s"),
     "tolerance": about(NUMBER, "of the FMU's integrator"),
-    "peaks": rows(time=si("s"), theta=si("rad"), half_period=si("s", "since the peak before")),
+    "peaks": rows(
+        time=si("s"), theta=si("rad"), half_period=si("s", "since the last peak, on the other side")
+    ),
     "trusted_until": _TRUSTED,
 }
 _SHARES: Final[dict[str, Schema]] = {

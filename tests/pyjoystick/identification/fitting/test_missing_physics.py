@@ -65,6 +65,29 @@ def test_the_size_of_a_large_friction_is_that_of_a_fit_with_it(fmus_by_name: Pat
     )
 
 
+@pytest.mark.parametrize(
+    ("inertia", "scaled", "named"),
+    [
+        (1.5, ("J",), "another moment of inertia (J +3 %)"),
+        (
+            1.0,
+            ("forward.returnSpring.F_0", "backward.returnSpring.F_0"),
+            "other preloads or stiffnesses of the return springs (forward.returnSpring.F_0 +3",
+        ),
+    ],
+)
+def test_a_cause_does_not_lose_to_one_whose_size_is_refined(
+    fmus_by_name: Path, inertia: float, scaled: tuple[str, ...], named: str
+) -> None:
+    """To first order, a time base that is off would explain more. One of the fits has not the FMU's J."""
+    assumed = NOMINAL.replace({"J": inertia * NOMINAL.J, "damping.C": 0.06})
+    values = assumed.to_names()
+    seen = releases(assumed.replace({name: 1.03 * values[name] for name in scaled}), 4, noise=NOISE / 2.0)
+    found = fit(seen, dataclasses.replace(QUICK, fixed={"J": assumed.J}))
+    message = _message(found, "missing physics")
+    assert message.startswith(f"the residuals are not noise: {named}")
+
+
 def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
     """Other preloads would explain almost as much: the springs of the two sides differ."""
     seen = [dataclasses.replace(one, theta=-one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]

@@ -379,6 +379,14 @@ def test_a_zero_that_changes_at_rest_is_noted(rate: float, tmp_path: Path) -> No
     assert any(f"between two samples (rows {place}-{place + 1}), much faster" in note for note in notes)
 
 
+def test_rows_that_are_lost_in_a_fast_motion_are_a_gap_alone(tmp_path: Path) -> None:
+    """In 11 ms the angle moves by 4 degrees, as fast as around the gap."""
+    time = np.delete(np.arange(1200), slice(74, 84)) / 1000.0
+    angle = 20.0 * np.exp(-1.5 * time) * np.cos(20.0 * time)
+    (note,) = read_log(written(tmp_path / "log.csv", text(HEADINGS[:2], time, angle))).notes
+    assert note.startswith("a gap of 0.011 s between rows 75 and 76")
+
+
 @pytest.mark.parametrize("rate", [60.0, 100.0])
 def test_the_release_of_a_light_joystick_is_no_change_of_its_zero(rate: float, tmp_path: Path) -> None:
     time = np.arange(int(2.0 * rate)) / rate

@@ -37,6 +37,17 @@ def _with_inserted(content: str, at: int, line: str) -> str:
     return "\n".join([*lines[:at], line, *lines[at:]])
 
 
+@pytest.mark.parametrize("headings", ["Time(s) Angle(°) Adc", "t/s phi/° Adc", "No(#) Angle(°) Adc"])
+@pytest.mark.parametrize("preamble", ["Operator: A. Author\n\n", "Operator: A. Author\n", ""])
+def test_headings_below_a_line_of_as_many_words(headings: str, preamble: str, tmp_path: Path) -> None:
+    """Adc is also a unit, but a heading with a unit of its own is none."""
+    rows = _lines("{0:.3f} {1:.3f} 1200\n")
+    file = written(tmp_path / "log.txt", f"{preamble}{headings}\n{rows}")
+    log = read_log(file, rate=250.0 if "#" in headings else None)
+    assert log.found["theta"].heading.text == headings.split()[1]
+    assert log.series["theta"] == pytest.approx(DEG * ANGLE, abs=1e-5)
+
+
 #: Name -> content, encoding, whether the torque is in it.
 READ: dict[str, tuple[str, str, bool]] = {
     "plain": (text(("time (s)", "theta (deg)"), TIME, ANGLE), "utf-8", False),
