@@ -12,6 +12,7 @@ import pytest
 from pyjoystick.fmu import Fmu
 from pyjoystick.identification import CONSTANT_DAMPING, driven, read_records
 from pyjoystick.identification.fitting.checks.rivals import tried
+from pyjoystick.identification.fitting.checks.suspect import near
 from pyjoystick.identification.fitting.problem import record_runs
 from pyjoystick.identification.fitting.problem.least_squares import Problem
 from pyjoystick.identification.fitting.problem.measurement import measurements
@@ -43,6 +44,12 @@ def test_no_rival_leaves_the_neighborhood(joystick_fmus: Path, monkeypatch: pyte
 
         tried([], {}, problem, settings, problem.variables.start, make)
     assert np.ptp(seen) > 0.1 * NOMINAL.J
+
+
+def test_a_suspect_keeps_near_the_fit() -> None:
+    """A stiffness of nothing has no neighborhood; the FMU's own bounds count."""
+    assert near("J", 2.0) == Free("J", 2.0, 0.2, 20.0)
+    assert near("k_s", 0.0) == Free("k_s", 0.0)
 
 
 def test_a_search_without_bounds_keeps_within_reach(joystick_fmus: Path) -> None:
