@@ -144,7 +144,8 @@ def fit_circle(points: FloatArray, radius: float | None = None) -> Circle:
     residuals = np.hypot(*(local - found[:2]).T) - found[2]
     variance = float(residuals @ residuals) / (len(local) - unknown)
     errors = np.zeros(3)
-    errors[:unknown] = np.sqrt(np.diag(np.linalg.pinv(jacobian.T @ jacobian)) * variance)
+    # The inverse of the product with itself would lose the curvature of a nearly straight path to rounding.
+    errors[:unknown] = np.linalg.norm(np.linalg.pinv(jacobian), axis=1) * math.sqrt(variance)
     if np.linalg.matrix_rank(jacobian) < unknown:
         errors[:] = np.inf
     return Circle(found[:2] + middle, float(found[2]), errors[:2], float(errors[2]), math.sqrt(variance))
