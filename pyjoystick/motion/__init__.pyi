@@ -36,7 +36,7 @@ from .records.glitches import (
     lone_notes as lone_notes,
     require_no_glitch as require_no_glitch,
 )
-from .records.instrument import repeated_angles as repeated_angles, uneven_notes as uneven_notes
+from .records.instrument import uneven_notes as uneven_notes
 from .records.reading import read_record as read_record, read_repeats as read_repeats
 from .records.record import (
     GAP as GAP,

@@ -18,7 +18,7 @@ from pyjoystick.laboratory.measurements.results import (
 )
 from pyjoystick.laboratory.measurements.setups import MarkerSetup
 from pyjoystick.model import JoystickParameters
-from pyjoystick.motion import Record, check_free_oscillation, repeated_angles
+from pyjoystick.motion import Record, check_free_oscillation
 from pyjoystick.support import ParameterError
 
 
@@ -99,9 +99,7 @@ def read_trial(
         rest_angle=at_rest,
     )
     record = measured.record(name)
-    if setup.released is None:
-        record = record.with_notes(*repeated_angles(record.theta, record.rows))
-    else:
+    if setup.released is not None:
         # A gap in which a peak may hide is no fault of a record that is fitted; `peaks` refuses it.
         record = check_free_oscillation(record, released=setup.released, counted=False)
     return Trial(setup, markers, measured, record, setup.chain.run(measured.time, measured.theta))

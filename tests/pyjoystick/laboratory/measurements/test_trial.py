@@ -12,18 +12,6 @@ from tests.pyjoystick.laboratory.measurements.made import plain_text, swing, wri
 TIME = np.arange(180) / 60.0
 
 
-def test_markers_that_freeze_are_seen_in_any_motion(tmp_path: Path) -> None:
-    """Simulated ones that do not tremble, of which some rest; they are no release."""
-    theta = 0.2 * np.sin(8.0 * TIME)
-    theta[70:78] = theta[70]
-    top = np.column_stack((280.0 * np.sin(theta), 0.0 * theta, 280.0 * np.cos(theta)))
-    base = [np.broadcast_to([0.0, side, -100.0], top.shape) for side in (-50.0, 50.0)]
-    points = np.stack((top, *base), axis=1)
-    setup = MarkerSetup(top="TOP", base=("BASE1", "BASE2"))
-    trial = read_trial(write(tmp_path / "a.csv", plain_text(TIME, points)), setup, name="a")
-    assert any("stays exactly the same for up to 8 samples" in note for note in trial.record.notes)
-
-
 def test_a_gap_that_may_hide_a_peak_leaves_a_record_for_the_fit(tmp_path: Path) -> None:
     """The side of the release is checked all the same; whoever counts peaks refuses the record then."""
     theta = swing(TIME)
