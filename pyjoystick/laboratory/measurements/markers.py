@@ -105,6 +105,11 @@ class Markers:
         """Coordinates of a marker (m), shape (n, 3); raises as `index` does."""
         return self.positions[:, self.index(name)]
 
+    def resolution(self, name: str) -> float:
+        """Smallest change of a coordinate of a marker (m), as from rounding; 0 for one that does not move."""
+        changes = np.abs(np.diff(self.of(name), axis=0))
+        return float(min(changes[changes > 0.0], default=0.0))
+
     def missing(self, name: str) -> NDArray[np.bool_]:
         """Frames in which a marker was not seen, shape (n,)."""
         return unseen(self.of(name))

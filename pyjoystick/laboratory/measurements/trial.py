@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -101,5 +102,7 @@ def read_trial(
     record = measured.record(name)
     if setup.released is not None:
         # A gap in which a peak may hide is no fault of a record that is fitted; `peaks` refuses it.
-        record = check_free_oscillation(record, released=setup.released, counted=False)
+        # The angle, of several rounded coordinates, also takes smaller steps than these.
+        resolution = markers.resolution(setup.top) / math.hypot(*measured.rest_radius)
+        record = check_free_oscillation(record, released=setup.released, counted=False, resolution=resolution)
     return Trial(setup, markers, measured, record, setup.chain.run(measured.time, measured.theta))

@@ -51,7 +51,9 @@ _OFF_ZERO: Final = 0.02
 _FAR_BEYOND_STOPS: Final = math.radians(30.0)
 
 
-def check_free_oscillation(record: Record, *, released: Side | None = None, counted: bool = True) -> Record:
+def check_free_oscillation(
+    record: Record, *, released: Side | None = None, counted: bool = True, resolution: float = 0.0
+) -> Record:
     """Check that the record is a free oscillation after one release; returns it with notes.
 
     Args:
@@ -59,6 +61,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None, coun
         released: side of the release, if known; forward is positive
         counted: whether its peaks will be counted, so that no gap may hide any; a fit of the whole
             motion does not count them
+        resolution: that of the angle (rad), if its samples show smaller steps
 
     Returns:
         the same samples, with findings added to the notes
@@ -78,7 +81,7 @@ def check_free_oscillation(record: Record, *, released: Side | None = None, coun
         *_gaps(record, swings, counted=counted),
         *uneven_notes(record.time),
         *_velocity(record),
-        *repeated_angles(record.theta, record.rows),
+        *repeated_angles(record.theta, record.rows, resolution),
         *_peak_count(record, swings),
         *_stops(record, largest),
         *_rest(record, swings, largest),

@@ -74,7 +74,7 @@ def uneven_notes(time: FloatArray) -> Iterator[str]:
         )
 
 
-def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]:
+def repeated_angles(theta: FloatArray, rows: NDArray[np.int64], resolution: float = 0.0) -> Iterator[str]:
     """Note that the angle stays exactly constant in a motion from side to side, then catches up or ends.
 
     Equal samples alone prove nothing: coarse angles repeat at every turn and at rest. There the next step is
@@ -84,6 +84,7 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
     Args:
         theta: the angle (rad), shape (n,)
         rows: rows of the samples in the file, shape (n,)
+        resolution: what is known to be the resolution of the angle (rad), if it shows only smaller steps
     """
     largest = float(np.max(np.abs(theta)))
     swings = find_swings(theta, THRESHOLD * largest) if largest > 0.0 else []
@@ -93,7 +94,7 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64]) -> Iterator[str]
     edges = np.flatnonzero(steps > _SAME_ANGLE)
     values = np.diff(np.unique(theta))
     values = values[values > _SAME_ANGLE]
-    resolution = float(np.min(values)) if values.size else math.inf
+    resolution = max(resolution, float(np.min(values)) if values.size else math.inf)
     frozen: list[tuple[int, int]] = []
     for before, last in pairwise([-1, *edges.tolist()]):
         moves = theta[last] / swings[0].value < HELD and last < swings[-1].last
