@@ -9,11 +9,12 @@ from dataclasses import replace
 from typing import Final, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pyjoystick.fmu import Fmu, FmuNotFoundError, find_fmu
 from pyjoystick.identification.errors import FitError
 from pyjoystick.identification.fitting.checks.score_test import Finding
-from pyjoystick.identification.fitting.checks.suspect import NEAR, Suspect
+from pyjoystick.identification.fitting.checks.suspect import Suspect
 from pyjoystick.identification.fitting.problem.difference_steps import choose_steps
 from pyjoystick.identification.fitting.problem.instrument import ZERO_OFFSET
 from pyjoystick.identification.fitting.problem.least_squares import Problem
@@ -26,6 +27,11 @@ from pyjoystick.support import FloatArray, ParameterError
 _FRICTION: Final = "friction."
 _EVALUATIONS: Final = 40
 _ANGLE: Final = "theta"
+#: A rival whose parameters are not within this factor of the fit's is none: no instrument error or small
+#: missing effect moves them that far, and far away a run may take a thousand times as long.
+_NEAR: Final = 10.0
+#: A parameter that ends so close to a bound, relative to it, would go beyond.
+_AT_BOUND: Final = 1e-3
 #: Parameters that change sign with the angle.
 _TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
 
@@ -91,7 +97,10 @@ def _refitted(
     with_friction: Fmu | None,
     make: Make,
 ) -> Finding:
-    """Refine the finding by a fit, or return it unchanged if the fit is impossible or explains no more."""
+    """Refine the finding by a fit, or return it unchanged if the fit is impossible or explains no more.
+
+    Where the fit ends at a bound of the suspect, only what it explains there is credible.
+    """
     needs_friction = any(
         one.name.startswith(_FRICTION) and not _has(problem, one.name) for one in suspect.free
     )
@@ -109,7 +118,8 @@ def _refitted(
     start = np.concatenate((x, rival.variables.start[len(x) :]))
     best, part = _better(rival, start, problem, settings, x)
     sizes = best[len(x) :] - [_value(problem, one.name) for one in suspect.free]
-    if part <= finding.explained:
+    ends_at_bound = bool(_at_bound(rival, best)[len(x) :].any())
+    if part <= 0.0 or (part <= finding.explained) != ends_at_bound:
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
     return replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
@@ -160,8 +170,8 @@ def _near(free: Sequence[Free], problem: Problem, x: FloatArray) -> tuple[Free, 
     for one in free:
         if one.name in values:
             variable, value = values[one.name]
-            low = max(variable.minimum, value / NEAR) if variable.minimum > 0.0 else variable.minimum
-            high = min(variable.maximum, value * NEAR)
+            low = max(variable.minimum, value / _NEAR) if variable.minimum > 0.0 else variable.minimum
+            high = min(variable.maximum, value * _NEAR)
             # A measured start stays, which is not only where the search begins.
             start = value if one.uncertainty is None else one.start
             one = replace(one, start=start, minimum=low, maximum=high)
@@ -190,6 +200,12 @@ def _better(
     rival = replace(rival, noise=problem.noise, steps=steps)
     best = staged_search(rival, start, evaluations=_EVALUATIONS, stages=settings.search.stages)
     return best.x, 1.0 - best.cost / float(np.sum(problem.residuals(x) ** 2))
+
+
+def _at_bound(rival: Problem, best: FloatArray) -> NDArray[np.bool_]:
+    """Which parameters the search stopped at a bound: what it found there is no minimum."""
+    lower, upper = rival.variables.lower, rival.variables.upper
+    return np.asarray((best - lower <= _AT_BOUND * abs(lower)) | (upper - best <= _AT_BOUND * abs(upper)))
 
 
 def _names(suspect: Suspect) -> Iterator[str]:

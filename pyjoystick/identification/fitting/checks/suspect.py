@@ -15,9 +15,8 @@ from pyjoystick.support import FloatArray
 
 #: Stops and limits are tried at these parts of the largest angle on either side.
 LEVELS: Final = (0.9, 0.75, 0.6)
-#: A fit that includes a suspect keeps its parameters within this factor of the fit's: no instrument error or
-#: small missing effect moves them that far, and far away a run may take a thousand times as long.
-NEAR: Final = 10.0
+#: A number that the fit took as known is a cause of its failure within this factor.
+_CREDIBLE: Final = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -54,7 +53,7 @@ def each(
 
 def near(name: str, value: float) -> Free:
     """A free parameter near its value in a fit; one that is not above zero keeps its usual bounds."""
-    bounds = (value / NEAR, value * NEAR) if value > 0.0 else (None, None)
+    bounds = (value / _CREDIBLE, value * _CREDIBLE) if value > 0.0 else (None, None)
     return Free(name, value, *bounds)
 
 

@@ -24,7 +24,7 @@ from pyjoystick.identification import (
 )
 from pyjoystick.identification.fitting.problem.noise_color import Memory
 from pyjoystick.identification.fitting.text_report import report
-from pyjoystick.model import NOMINAL, simulate
+from pyjoystick.model import NOMINAL, PowerLawDamping, simulate
 from pyjoystick.motion import Record
 from tests.pyjoystick.identification.fitting.made import releases
 
@@ -86,6 +86,16 @@ def test_a_cause_does_not_lose_to_one_whose_size_is_refined(
     found = fit(seen, dataclasses.replace(QUICK, fixed={"J": assumed.J}))
     message = _message(found, "missing physics")
     assert message.startswith(f"the residuals are not noise: {named}")
+
+
+def test_springs_are_off_by_a_factor_of_two_at_most(fmus_by_name: Path) -> None:
+    """To make up for quadratic drag, stiffnesses would be negative or several times as large."""
+    drag = PowerLawDamping(alpha=0.0, A_pos=0.1, A_neg=0.1, n_pos=0.0, n_neg=0.0, B=0.0135, m=1.0)
+    found = fit(releases(dataclasses.replace(NOMINAL, damping=drag), 4, noise=NOISE / 2.0), QUICK)
+    message = _message(found, "missing physics")
+    springs = re.findall(r"(?:F_0|k_s) ([-+.\de]+) %", message)
+    assert len(springs) == 4
+    assert all(-50.0 <= float(one) <= 100.0 for one in springs)
 
 
 def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:

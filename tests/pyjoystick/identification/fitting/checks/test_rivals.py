@@ -48,7 +48,7 @@ def test_no_rival_leaves_the_neighborhood(joystick_fmus: Path, monkeypatch: pyte
 
 def test_a_suspect_keeps_near_the_fit() -> None:
     """A stiffness of nothing has no neighborhood; the FMU's own bounds count."""
-    assert near("J", 2.0) == Free("J", 2.0, 0.2, 20.0)
+    assert near("J", 2.0) == Free("J", 2.0, 1.0, 4.0)
     assert near("k_s", 0.0) == Free("k_s", 0.0)
 
 
