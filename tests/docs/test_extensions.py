@@ -174,7 +174,10 @@ def test_what_documents_say_as_text() -> None:
     found = schemas()["document.schema.json"]["definitions"]
     text = document_text("free-oscillation", found["free-oscillation"])
     assert text.startswith("### free-oscillation\n")
-    assert "| `peaks` | list of `time` (s), `theta` (rad), `half_period` (since the last peak, " in text
+    assert (
+        "| `peaks` | list of `time` (s), `theta` (rad), `half_period` "
+        "(since the peak before, if on the other side, in s) |" in text
+    )
     assert "| `trusted_until`? | " in text
     assert "made_with" not in text
     torque = document_text("torque", found["torque"])

@@ -30,7 +30,7 @@ _ANGLE: Final = "theta"
 #: A rival whose parameters are not within this factor of the fit's is none: no instrument error or small
 #: missing effect moves them that far, and far away a run may take a thousand times as long.
 _NEAR: Final = 10.0
-#: A parameter that ends so close to a bound, relative to it, would go beyond.
+#: A parameter that ends so close to a bound, relative to it, is at the bound.
 _AT_BOUND: Final = 1e-3
 #: Parameters that change sign with the angle.
 _TURNED: Final = ("theta_start", "omega_start", ZERO_OFFSET)
@@ -99,7 +99,7 @@ def _refitted(
 ) -> Finding:
     """Refine the finding by a fit, or return it unchanged if the fit is impossible or explains no more.
 
-    Where the fit ends at a bound of the suspect, only what it explains there is credible.
+    What it explains at a bound of the suspect counts even if that is less: more is not credible.
     """
     needs_friction = any(
         one.name.startswith(_FRICTION) and not _has(problem, one.name) for one in suspect.free
@@ -118,8 +118,7 @@ def _refitted(
     start = np.concatenate((x, rival.variables.start[len(x) :]))
     best, part = _better(rival, start, problem, settings, x)
     sizes = best[len(x) :] - [_value(problem, one.name) for one in suspect.free]
-    ends_at_bound = bool(_at_bound(rival, best)[len(x) :].any())
-    if part <= 0.0 or (part <= finding.explained) != ends_at_bound:
+    if part <= 0.0 or (part <= finding.explained and not _at_bound(rival, best)[len(x) :].any()):
         return finding
     evidence = problem.size * -math.log1p(-part) - len(sizes) * math.log(problem.size)
     return replace(finding, size=suspect.says(sizes), explained=part, evidence=evidence)
@@ -203,9 +202,9 @@ def _better(
 
 
 def _at_bound(rival: Problem, best: FloatArray) -> NDArray[np.bool_]:
-    """Which parameters the search stopped at a bound: what it found there is no minimum."""
-    lower, upper = rival.variables.lower, rival.variables.upper
-    return np.asarray((best - lower <= _AT_BOUND * abs(lower)) | (upper - best <= _AT_BOUND * abs(upper)))
+    """Which parameters the search stopped at a bound."""
+    bounds = np.array((rival.variables.lower, rival.variables.upper))
+    return np.asarray(np.isclose(best, bounds, rtol=_AT_BOUND, atol=0.0).any(axis=0))
 
 
 def _names(suspect: Suspect) -> Iterator[str]:

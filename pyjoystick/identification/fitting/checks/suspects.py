@@ -191,15 +191,18 @@ def _parameters(problem: Problem, motions: Sequence[FittedMotion]) -> Iterator[S
         )
     springs = [name for name in _SPRINGS if free(name)]
     if springs:
-        values = np.array([predictor.motion.value(name) for name in springs])
+        values = [predictor.motion.value(name) for name in springs]
         yield Suspect(
             "other preloads or stiffnesses of the return springs",
             columns(springs),
-            lambda s: ", ".join(
-                f"{name} {part:+.2g} %" for name, part in zip(springs, 100.0 * s / values, strict=True)
-            ),
-            free=tuple(map(near, springs, values.tolist())),
+            lambda s: ", ".join(map(_change, springs, s.tolist(), values)),
+            free=tuple(map(near, springs, values)),
         )
+
+
+def _change(name: str, size: float, value: float) -> str:
+    """Change of a spring's parameter in percent, or in N for a preload of nothing."""
+    return f"{name} {100.0 * size / value:+.2g} %" if value else f"{name} {size:+.2g} N"
 
 
 def _differing(problem: Problem, x: FloatArray) -> Iterator[Suspect]:

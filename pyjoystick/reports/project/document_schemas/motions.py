@@ -27,7 +27,7 @@ FREE_OSCILLATION: Final[dict[str, Schema]] = {
     "duration": si("s"),
     "tolerance": about(NUMBER, "of the FMU's integrator"),
     "peaks": rows(
-        time=si("s"), theta=si("rad"), half_period=si("s", "since the last peak, on the other side")
+        time=si("s"), theta=si("rad"), half_period=si("s", "since the peak before, if on the other side")
     ),
     "trusted_until": _TRUSTED,
 }

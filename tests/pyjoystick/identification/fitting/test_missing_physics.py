@@ -98,6 +98,17 @@ def test_springs_are_off_by_a_factor_of_two_at_most(fmus_by_name: Path) -> None:
     assert all(-50.0 <= float(one) <= 100.0 for one in springs)
 
 
+def test_a_spring_without_a_preload(fmus_by_name: Path) -> None:
+    """The change of a preload of 0 N has no percentage."""
+    assumed = NOMINAL.replace({"backward.returnSpring.F_0": 0.0})
+    preload = 1.03 * NOMINAL.to_names()["forward.returnSpring.F_0"]
+    seen = releases(assumed.replace({"forward.returnSpring.F_0": preload}), 4, noise=NOISE / 2.0)
+    found = fit(seen, dataclasses.replace(QUICK, fixed={"backward.returnSpring.F_0": 0.0}))
+    message = _message(found, "missing physics")
+    (size,) = re.findall(r"backward\.returnSpring\.F_0 ([-+.\de]+) N", message)
+    assert abs(float(size)) < 0.1
+
+
 def test_the_other_sign_of_the_angle_is_named(fmus_by_name: Path) -> None:
     """Other preloads would explain almost as much: the springs of the two sides differ."""
     seen = [dataclasses.replace(one, theta=-one.theta) for one in releases(NOMINAL, 2, noise=NOISE)]
