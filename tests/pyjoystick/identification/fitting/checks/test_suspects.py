@@ -213,6 +213,16 @@ def test_the_clock_of_a_driven_record(fmus_by_name: Path, is_known: bool) -> Non
         assert found.value("J") == pytest.approx(1.002**2 * NOMINAL.J, rel=1e-4)
 
 
+def test_the_mass_of_a_driven_record(fmus_by_name: Path) -> None:
+    """To first order, other springs would explain more than the mass that the fit takes as 10 % too large."""
+    settings = driven(CONSTANT_DAMPING)
+    settings = dataclasses.replace(settings, fixed={**settings.fixed, "m": 1.1 * NOMINAL.m})
+    with Fmu(find_fmu("Joystick")) as fmu:
+        found = fit(read_records([DRIVEN], settings, fmu.description), settings, fmu=fmu)
+    (check,) = (one for one in found.checks if one.name == "missing physics")
+    assert "not noise: another mass (m -9.1 %) would explain them best" in check.message
+
+
 def test_what_shows_too_much_is_not_clipped(fmus_by_name: Path) -> None:
     """Angles beyond a limit that are a fifth larger than the motion: clipping of a negative size."""
     findings = _findings(_shown(lambda theta: theta + 0.2 * beyond(theta, _CLIPPED)))
