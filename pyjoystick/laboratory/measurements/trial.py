@@ -102,7 +102,7 @@ def read_trial(
     record = measured.record(name)
     if setup.released is not None:
         # A gap in which a peak may hide is no fault of a record that is fitted; `peaks` refuses it.
-        # The angle, of several rounded coordinates, also takes smaller steps than these.
+        # An angle computed from several rounded coordinates has finer steps than its resolution.
         resolution = markers.resolution(setup.top) / math.hypot(*measured.rest_radius)
         record = check_free_oscillation(record, released=setup.released, counted=False, resolution=resolution)
     return Trial(setup, markers, measured, record, setup.chain.run(measured.time, measured.theta))

@@ -61,7 +61,7 @@ def check_free_oscillation(
         released: side of the release, if known; forward is positive
         counted: whether its peaks will be counted, so that no gap may hide any; a fit of the whole
             motion does not count them
-        resolution: that of the angle (rad), if its samples show smaller steps
+        resolution: known resolution of the angle (rad), if its own steps are finer
 
     Returns:
         the same samples, with findings added to the notes

@@ -84,7 +84,7 @@ def repeated_angles(theta: FloatArray, rows: NDArray[np.int64], resolution: floa
     Args:
         theta: the angle (rad), shape (n,)
         rows: rows of the samples in the file, shape (n,)
-        resolution: what is known to be the resolution of the angle (rad), if it shows only smaller steps
+        resolution: known resolution of the angle (rad), if its own steps are finer
     """
     largest = float(np.max(np.abs(theta)))
     swings = find_swings(theta, THRESHOLD * largest) if largest > 0.0 else []

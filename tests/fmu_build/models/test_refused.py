@@ -61,7 +61,7 @@ REFUSALS = (
     Refusal("EnumerationInitial", UnsupportedModelError, r"type Enumeration"),
     Refusal("EarlyReturn", UnsupportedModelError, r"return"),
     Refusal("ExternalFunction", UnsupportedModelError, r"external.*outside"),
-    Refusal("FoldInBranch", UnsupportedModelError, r"or a sum\(\) or the like, beside an if-statement"),
+    Refusal("FoldInBranch", UnsupportedModelError, r"a loop, a sum\(\) or the like with if-statements"),
     Refusal("Incomplete", ModelNotFoundError, r"partial"),
     Refusal("InitialDiscrete", UnsupportedModelError, r"initial equation with a discrete variable"),
     Refusal("InputChange", ModelicaError, r"change\("),
