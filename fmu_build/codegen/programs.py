@@ -147,8 +147,8 @@ def _refusal(kind: str, fields: Fields) -> str:
         )
     if "Function" in kind:
         return (
-            "a function called here combines a loop, a sum() or the like with if-statements in a way that is not "
-            "supported; write out the loop or the sum"
+            "a function called here combines a loop, a sum() or the like with if-statements in a way that is "
+            "not supported; write out the loop or the sum"
         )
     detail = f" {fields['op']}" if "op" in fields else ""
     return f"operation {kind}{detail} of the Solve IR is not supported"
